@@ -37,6 +37,7 @@ void clear(int bodies, const std::vector<int>& colours, std::vector<Group>& grou
 bool ColouredSweeps::setProblem(const Problem& problem, const NaturalMap& map) {
   constexpr double least = 1e-6;
   problem_ = &problem;
+  map_ = &map;
   if (!problem.W.inBodySpace() || !problem.W.bodySpace().parts.empty()) return false;
   for (int i = 0; i < problem.contacts(); ++i) {
     const Mat3& W = map.contactBlock(i);
@@ -149,16 +150,13 @@ void ColouredSweeps::putInPlace(int begin, const Colours& colours, std::vector<G
 }
 
 struct ColouredSweeps::Pass {
-  Pass(int mostSweeps, double aimedChange, bool withMomentum, bool isNarrow)
-      : most(mostSweeps),
-        aim(aimedChange),
-        hasMomentum(withMomentum),
-        sweeps(groupSweeps(isNarrow)) {}
+  Pass(int mostSweeps, bool withMomentum, bool isNarrow)
+      : most(mostSweeps), hasMomentum(withMomentum), sweeps(groupSweeps(isNarrow)) {}
 
   const int most;
-  const double aim;
   const bool hasMomentum;
   const GroupSweeps sweeps;
+  double aim = 0;               ///< times the scale
   SweepChange changes[shares];  ///< by share, whichever hand sweeps it
   float beta = 0;
   double last = 0, pace = 1;
@@ -221,8 +219,8 @@ void ColouredSweeps::lead(Pass& pass, const InShares& inShares) {
 
 int ColouredSweeps::sweep(int most, double aim, const VectorXd& u, VectorXd& r) {
   if (most <= 0) return 0;
-  Pass pass(most, aim, true, isNarrow_);
-  sweepAs(pass, u, r);
+  Pass pass(most, true, isNarrow_);
+  sweepAs(pass, aim, u, r);
   return pass.made;
 }
 
@@ -230,17 +228,28 @@ void ColouredSweeps::sweepPlainly(int count, VectorXd& r) {
   // If each sweep adds little, the change after this many sweeps is large for single precision.
   constexpr int fromOneStart = 100;
   for (int left = count; left > 0; left -= fromOneStart) {
-    Pass pass(std::min(left, fromOneStart), 0, false, isNarrow_);
+    Pass pass(std::min(left, fromOneStart), false, isNarrow_);
     problem_->W.multiply(r, y_, u_);
     u_ += problem_->q;
-    sweepAs(pass, u_, r);
+    sweepAs(pass, 0, u_, r);
   }
 }
 
-void ColouredSweeps::sweepAs(Pass& pass, const VectorXd& u, VectorXd& r) {
+/// A power of two (it changes no digit) by which the largest r √W and u / √W are between 1 and 2.
+double ColouredSweeps::scaleFor(const VectorXd& u, const VectorXd& r) const {
+  double largest = 0;
+  for (int k = 0; k < problem_->size(); ++k)
+    if (const double W = map_->diagonal()[k]; W > 0)
+      largest = std::max({largest, std::abs(r[k]) * std::sqrt(W), std::abs(u[k]) / std::sqrt(W)});
+  return largest > 0 && std::isfinite(largest) ? std::ldexp(1, -std::ilogb(largest)) : 1;
+}
+
+void ColouredSweeps::sweepAs(Pass& pass, double aim, const VectorXd& u, VectorXd& r) {
   constexpr int worthwhile = 1000;  // parts; fewer are swept before other hands have come
+  const double scale = scaleFor(u, r);
+  pass.aim = scale * aim;
   const auto startAll = [&](auto& groups) {
-    for (auto& g : groups) start(*problem_, r, u, g);
+    for (auto& g : groups) start(*problem_, r, u, scale, g);
   };
   startAll(contacts_);
   startAll(rows_);
@@ -262,23 +271,23 @@ void ColouredSweeps::sweepAs(Pass& pass, const VectorXd& u, VectorXd& r) {
     };
     hands_->together(task);
   }
-  finish(r);
+  finish(scale, r);
 }
 
-void ColouredSweeps::finish(VectorXd& r) const {
+void ColouredSweeps::finish(double scale, VectorXd& r) const {
   for (const ContactGroup& g : contacts_)
     for (int lane = 0; lane < lanes; ++lane)
       for (int k = 0; k < 3 && g.at[lane] != vacant; ++k)
-        r[3 * g.at[lane] + k] += double(g.dr[k][lane]) / g.unit[lane];
+        r[3 * g.at[lane] + k] += double(g.dr[k][lane]) / (scale * g.unit[lane]);
   for (const RowGroup& g : rows_)
     for (int lane = 0; lane < lanes; ++lane)
-      if (g.at[lane] != vacant) r[g.at[lane]] += double(g.dr[lane]) / g.unit[lane];
+      if (g.at[lane] != vacant) r[g.at[lane]] += double(g.dr[lane]) / (scale * g.unit[lane]);
   for (const DiskGroup& g : disks_)
     for (int lane = 0; lane < lanes; ++lane)
       if (g.at[lane] != vacant) {
         const Disk& disk = problem_->disks[g.at[lane]];
         const Vec2 change(g.dr[0][lane], g.dr[1][lane]);
-        disk.put(disk.of(r) + change / double(g.unit[lane]), r);
+        disk.put(disk.of(r) + change / (scale * g.unit[lane]), r);
       }
   makeFeasible(*problem_, r);
 }

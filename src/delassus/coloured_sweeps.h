@@ -20,14 +20,15 @@ class Hands;
 /// precision, but only for what they change (swept_groups.h): r₀ and u₀, and all differences of
 /// them that an answer makes small, are computed in double precision when sweeps begin. Rounding
 /// then costs about 1e-7 of what the sweeps change, and sweeps that begin where others have ended
-/// go on as far as double precision does.
+/// go on as far as double precision does. The units are such that the largest of r₀ and u₀ is
+/// about 1, so that the sweeps are the same in all units of length and mass.
 ///
 /// With g = g(x) swept from x, the next sweep begins from x⁺ = g + β (g − g_before), with β as in
 /// Nesterov 1983. β restarts at 0 whenever ‖g(x) − x‖ has grown (O'Donoghue and Candès 2015).
 class ColouredSweeps {
  public:
   /// False where there are articulated bodies, or contacts that friction cannot stop in all
-  /// directions: then no sweeps may be asked for. The problem must outlive the sweeps.
+  /// directions: then no sweeps may be asked for. Problem and map must outlive the sweeps.
   bool setProblem(const Problem& problem, const NaturalMap& map);
 
   /// Sweeps from r, u = W r + q, until no contact changes its velocity by more than `aim`, m/s, and
@@ -68,10 +69,12 @@ class ColouredSweeps {
                   std::vector<Group>& groups, SweepGroups<Group> sweep);
   template <class InShares>
   void lead(Pass& pass, const InShares& inShares);
-  void sweepAs(Pass& pass, const VectorXd& u, VectorXd& r);
-  void finish(VectorXd& r) const;
+  double scaleFor(const VectorXd& u, const VectorXd& r) const;
+  void sweepAs(Pass& pass, double aim, const VectorXd& u, VectorXd& r);
+  void finish(double scale, VectorXd& r) const;
 
   const Problem* problem_ = nullptr;
+  const NaturalMap* map_ = nullptr;
   bool isNarrow_ = false;
   Hands* hands_ = nullptr;
   std::vector<ContactGroup> contacts_;

@@ -155,13 +155,14 @@ void fill(const Problem& problem, const std::vector<SweptLoad>& loads, DiskGroup
   jacobians.turnOver(g);
 }
 
-void start(const Problem& problem, const VectorXd& r, const VectorXd& u, ContactGroup& g) {
+void start(const Problem& problem, const VectorXd& r, const VectorXd& u, double scale,
+           ContactGroup& g) {
   for (int lane = 0; lane < lanes; ++lane) {
     const int i = g.at[lane];
     Vec3 r0 = Vec3::Zero(), u0 = Vec3::UnitX();
     double friction = 0;
     if (i != vacant) {
-      const double unit = g.unit[lane], perUnit = 1 / unit;
+      const double unit = scale * g.unit[lane], perUnit = scale / g.unit[lane];
       r0 = unit * r.segment<3>(3 * i);
       u0 = perUnit * u.segment<3>(3 * i);
       friction = problem.friction[i];
@@ -182,28 +183,30 @@ void start(const Problem& problem, const VectorXd& r, const VectorXd& u, Contact
   }
 }
 
-void start(const Problem& problem, const VectorXd& r, const VectorXd& u, RowGroup& g) {
+void start(const Problem& problem, const VectorXd& r, const VectorXd& u, double scale,
+           RowGroup& g) {
   for (int lane = 0; lane < lanes; ++lane) {
     const int i = g.at[lane], row = i - 3 * problem.contacts();
     const bool isThere = i != vacant;
-    const double unit = g.unit[lane];
-    g.u0[lane] = isThere ? static_cast<float>(u[i] / unit) : 0;
+    const double unit = scale * g.unit[lane];
+    g.u0[lane] = isThere ? static_cast<float>(scale * u[i] / g.unit[lane]) : 0;
     g.lower[lane] = isThere ? static_cast<float>(unit * (problem.lower[row] - r[i])) : 0;
     g.upper[lane] = isThere ? static_cast<float>(unit * (problem.upper[row] - r[i])) : 0;
     g.dr[lane] = g.drBefore[lane] = 0;
   }
 }
 
-void start(const Problem& problem, const VectorXd& r, const VectorXd& u, DiskGroup& g) {
+void start(const Problem& problem, const VectorXd& r, const VectorXd& u, double scale,
+           DiskGroup& g) {
   const auto put = [](double x, float& to) { to = static_cast<float>(x); };
   for (int lane = 0; lane < lanes; ++lane) {
     Vec2 r0 = Vec2::Zero(), u0 = Vec2::Zero();
     double radius = 0, load = 0, mostLoad = 0;
     if (g.at[lane] != vacant) {
       const Disk& disk = problem.disks[g.at[lane]];
-      const double unit = g.unit[lane];
+      const double unit = scale * g.unit[lane];
       r0 = unit * disk.of(r);
-      u0 = disk.of(u) / unit;
+      u0 = scale * disk.of(u) / g.unit[lane];
       radius = unit * disk.radiusAt(r);
       load = r[disk.governor];
       mostLoad = disk.mostLoad;
@@ -211,8 +214,8 @@ void start(const Problem& problem, const VectorXd& r, const VectorXd& u, DiskGro
     const double length = lengthOf(r0[0], r0[1]);
     const double slip =
         length > 0 ? std::min<double>(lengthOf(u0[0], u0[1]) / length, mostSlip) : 0;
-    put(-load * g.loadUnit[lane], g.leastLoad[lane]);
-    put((mostLoad - load) * g.loadUnit[lane], g.mostLoad[lane]);
+    put(-load * scale * g.loadUnit[lane], g.leastLoad[lane]);
+    put((mostLoad - load) * scale * g.loadUnit[lane], g.mostLoad[lane]);
     g.noLoad[lane] = std::clamp(0.0F, g.leastLoad[lane], g.mostLoad[lane]);
     put(length, g.length0[lane]);
     put(radius - length, g.margin0[lane]);

@@ -103,7 +103,7 @@ DELASSUS_WIDE_INLINE void slide(ContactGroup& g, int at, const Flags& slides, co
     ds = s > zero ? ds : (straight > zero ? straight : 0.5f * (size + 1)) - s0;
   }
   constexpr float least = 1e-12f;
-  ds = ds < mostSlip ? ds : zero + mostSlip;
+  ds = s0 + ds < mostSlip ? ds : mostSlip - s0;
   s = s0 + ds;
   const V p = s00 + s, q = s11 + s, perDet = 1 / (p * q - s01 * s01);
   // v + s r_t, which sliding makes zero. Near s₀ it comes from its value at s₀ and the changes
@@ -132,7 +132,7 @@ DELASSUS_WIDE_INLINE void slide(ContactGroup& g, int at, const Flags& slides, co
       ((t1 * m1 + t2 * m2) * along * along + friction * perLength * (w1 * m1 + w2 * m2));
   const V guess = share < 1 ? 3 * s : -0.75f * s;
   ds += presses & (s + correction > zero) ? correction : guess;
-  ds = s0 + ds > least ? (ds < mostSlip ? ds : zero + mostSlip) : least - s0;
+  ds = s0 + ds > least ? (s0 + ds < mostSlip ? ds : mostSlip - s0) : least - s0;
   ds = slides ? ds : known;
   store(ds, g.dslip + at);
 }

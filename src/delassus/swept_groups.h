@@ -6,8 +6,9 @@ namespace delassus {
 
 /// Block Gauss-Seidel sweeps over eight contacts, rows or disks at a time, in single precision; no
 /// two of them have a body in common. Each contact is in units with W_nn = 1, each row in units
-/// with W = 1, each disk in units in which the largest eigenvalue of its W is 1. Reactions and
-/// velocities are r₀ + Δr and u₀ + C Δr + J̃ Δy.
+/// with W = 1, each disk in units in which the largest eigenvalue of its W is 1; and all of them
+/// times a scale by which they are about 1 at most. Reactions and velocities are r₀ + Δr and
+/// u₀ + C Δr + J̃ Δy.
 constexpr int lanes = 8;
 using Lanes = float[lanes];
 constexpr float mostSlip = 1e12f;  ///< s of OneContact for a reaction that hardly slows
@@ -24,7 +25,7 @@ struct ContactGroup {
   Lanes perDet;         ///< 1 / det S
   Lanes compliance[3];
   Lanes friction;
-  Lanes unit;  ///< √W_nn: of r, and 1 / m/s of u
+  Lanes unit;  ///< √W_nn: of r, and 1 / m/s of u, but for the scale
   Lanes u0[3], r0[3];
   Lanes length0, margin0;    ///< ‖r_t‖ and μ r_n − ‖r_t‖ of r₀
   Lanes dr[3], drBefore[3];  ///< after the last sweep, and after the one before
@@ -82,7 +83,7 @@ struct SweptVelocity {
 /// one.
 struct alignas(64) SweepChange {
   Lanes energy = {};   ///< ‖g(x) − x‖², in the units of the contacts
-  Lanes largest = {};  ///< largest change of a velocity, m/s
+  Lanes largest = {};  ///< largest change of a velocity, m/s times the scale
 };
 
 /// One sweep over some groups, from reactions that go β beyond those of the last sweep.

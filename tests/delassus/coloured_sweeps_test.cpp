@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <utility>
 #include <vector>
 
 #include "delassus/flush_to_zero.h"
@@ -125,6 +127,19 @@ TEST(ColouredSweeps, FromTheirOwnEndGoOnToDoublePrecision) {
       sliding += r[3 * i] > 0 && u.segment<2>(3 * i + 1).norm() > 1e-3;
     EXPECT_GT(sliding, 10) << friction;
     EXPECT_LT(naturalResidual(heap.problem, r).max, 1e-12) << friction;
+  }
+}
+
+// From millimetres and milligrams to light years, the same bits.
+TEST(ColouredSweeps, OtherUnitsDoNotChangeABit) {
+  Random random(7);
+  const Pile own = makeSphereHeap(120, 4, 0.5, 0.1, random);
+  const PileIsland heap(own);
+  const VectorXd answer = sweep(heap.problem, 300, 1e-6, zero(heap.problem)).r;
+  for (const auto& [lengths, masses] : {std::pair(10, 10), {-10, -20}, {-20, -60}, {53, 90}}) {
+    const Problem other = PileIsland(inOtherUnits(own, lengths, masses)).problem;
+    const Swept swept = sweep(other, 300, std::ldexp(1e-6, lengths), zero(other));
+    EXPECT_TRUE(swept.r == answer * std::ldexp(1, lengths + masses)) << lengths << ' ' << masses;
   }
 }
 

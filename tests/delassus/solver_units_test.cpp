@@ -11,23 +11,6 @@
 namespace delassus::test {
 namespace {
 
-Pile inOtherUnits(Pile pile, int lengths, int masses) {
-  const double m = std::ldexp(1, lengths), perKg = std::ldexp(1, -masses);
-  for (Body& body : pile.bodies) {
-    body.inverseMass *= perKg;
-    body.inverseInertia *= perKg / (m * m);
-    body.velocity.head<3>() *= m;
-  }
-  for (Contact& contact : pile.contacts) {
-    contact.armA *= m;
-    contact.armB *= m;
-    contact.target *= m;
-    contact.compliance *= perKg;
-    contact.slipCompliance *= perKg;
-  }
-  return pile;
-}
-
 /// Powers of four for masses, since then their roots are exact too.
 void expectSameBits(const Pile& pile, int lengths, int masses) {
   const PileIsland own(pile), other(inOtherUnits(pile, lengths, masses));

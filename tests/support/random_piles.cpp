@@ -42,6 +42,23 @@ Pile withoutFriction(Pile pile) {
   return pile;
 }
 
+Pile inOtherUnits(Pile pile, int lengths, int masses) {
+  const double m = std::ldexp(1, lengths), perKg = std::ldexp(1, -masses);
+  for (Body& body : pile.bodies) {
+    body.inverseMass *= perKg;
+    body.inverseInertia *= perKg / (m * m);
+    body.velocity.head<3>() *= m;
+  }
+  for (Contact& contact : pile.contacts) {
+    contact.armA *= m;
+    contact.armB *= m;
+    contact.target *= m;
+    contact.compliance *= perKg;
+    contact.slipCompliance *= perKg;
+  }
+  return pile;
+}
+
 Problem withEntries(const Problem& problem) {
   Problem copy = problem;
   copy.W = DelassusMatrix(DelassusMatrix::Sparse(problem.W.dense().sparseView()));

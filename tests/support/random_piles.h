@@ -32,6 +32,10 @@ void mixFriction(Pile& pile, double largest, Random& random);
 /// The same step without friction.
 Pile withoutFriction(Pile pile);
 
+/// The same pile of contacts with lengths times 2^lengths and masses times 2^masses. If `masses` is
+/// even, roots of masses are exact, too.
+Pile inOtherUnits(Pile pile, int lengths, int masses);
+
 /// Explicit storage of the same problem.
 Problem withEntries(const Problem& problem);
 
