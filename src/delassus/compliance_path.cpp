@@ -30,12 +30,8 @@ Vec3 reactionIn(Mode mode, const Vec3& z, double mu, Mat3& derivative) {
   return slidingReaction(z, zt, mu, &derivative);
 }
 
-/// The length in δ that counts as a unit of ln c; `drive` is dδ/d ln c. Motion has a large weight,
-/// since it goes on where the curve turns back in c.
-double unitOf(const VectorXd& drive) {
-  constexpr double share = 0.1, least = 1e-12;
-  return std::max(share * drive.norm(), least);
-}
+/// Lengths whose squares are numbers.
+const double smallestRoot = std::sqrt(std::numeric_limits<double>::min());
 
 Mode modeAt(const Vec3& z, double mu) {
   return z[0] <= 0 ? Mode::Open : lengthOf(z[1], z[2]) <= mu * z[0] ? Mode::Stick : Mode::Slide;
@@ -44,13 +40,15 @@ Mode modeAt(const Vec3& z, double mu) {
 }  // namespace
 
 void CompliancePath::setProblem(BodyMotion& motion, const Problem& problem, const NaturalMap& map) {
+  constexpr double negligible = 1e-12;
   motion_ = &motion;
   problem_ = &problem;
   map.meanDiagonal(scale_);
   own_ = problem.W.bodySpace().compliance;
   center_.setZero(problem.size());
   u0_ = problem.q;
-  smallestFelt_ = std::numeric_limits<double>::min();
+  const double most = std::sqrt(problem.q.cwiseAbs2().cwiseQuotient(scale_).maxCoeff());
+  least_ = smallestFelt_ = std::max(negligible * most, smallestRoot);
   G_.reset(problem);
   region_.contacts.resize(problem.contacts());
   region_.rows.resize(problem.rows());
@@ -63,7 +61,7 @@ void CompliancePath::setCenter(const Solution& center) {
   center_ = center.r;
   u0_ = center.u;
   const double squeeze = std::sqrt(scale_.dot(center_.cwiseAbs2()));
-  smallestFelt_ = std::max(share * squeeze, std::numeric_limits<double>::min());
+  smallestFelt_ = std::max(share * squeeze, smallestRoot);
 }
 
 double CompliancePath::compliance() const { return std::exp(here_.tau); }
@@ -134,6 +132,13 @@ void CompliancePath::findDrive() {
   motion_->solve(drive_);
 }
 
+/// The length in δ that counts as a unit of ln c. Motion has a large weight, since it goes on where
+/// the curve turns back in c.
+double CompliancePath::unit() const {
+  constexpr double share = 0.1;
+  return std::max(share * drive_.norm(), least_);
+}
+
 double CompliancePath::distance(const VectorXd& delta, double tau) const {
   return std::sqrt(delta.squaredNorm() / (unit_ * unit_) + tau * tau);
 }
@@ -151,7 +156,7 @@ double CompliancePath::findTangent() {
 void CompliancePath::takeTangent() {
   constexpr double slowly = 0.3;
   std::swap(tangent_, newTangent_);
-  unit_ = (1 - slowly) * unit_ + slowly * unitOf(drive_);
+  unit_ = (1 - slowly) * unit_ + slowly * unit();
   const double length = distance(tangent_.delta, tangent_.tau);
   tangent_.delta /= length;
   tangent_.tau /= length;
@@ -195,7 +200,7 @@ bool CompliancePath::stand(bool upward, WorkDone& count) {
   if (!factorise(count)) return false;
   downward_ = motion_->isDeterminantNegative() != upward;
   findDrive();
-  unit_ = unitOf(drive_);
+  unit_ = unit();
   tangent_.delta.setZero(here_.delta.size());
   tangent_.tau = 0;
   findTangent();

@@ -99,6 +99,7 @@ class CompliancePath {
   double findTangent();
   void takeTangent();
   void changeOfZ(const VectorXd& delta, double tau, VectorXd& change);
+  double unit() const;
   double distance(const VectorXd& delta, double tau) const;
   double strayed(double length);
 
@@ -117,6 +118,7 @@ class CompliancePath {
   const Problem* problem_ = nullptr;
   VectorXd scale_, own_;     ///< mean W_aa; the problem's own compliance
   VectorXd center_, u0_;     ///< r_k and u_k
+  double least_ = 0;         ///< a ‖δ‖ that is none beside what a part alone asks for
   double smallestFelt_ = 0;  ///< smallest ‖δ‖ that keeps its digits despite rounding in r − r_k
 
   Place here_;
