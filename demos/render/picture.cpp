@@ -34,6 +34,9 @@ std::string inWords(Size size) {
   return std::to_string(size.width) + "x" + std::to_string(size.height);
 }
 
+/// How many of `count` are in each of so many rows, the last one perhaps excepted.
+int inRowsOf(int count, int rows) { return (count + rows - 1) / rows; }
+
 }  // namespace
 
 std::string factsInWords(const Frame& frame, bool timing) {
@@ -52,16 +55,26 @@ Studio::Layout Studio::layOut(const Look& look, int films, int columns) {
   const auto pixels = [&](double units) {
     return look.plain ? 0 : int(std::lround(units * layout.unit));
   };
-  layout.rows = columns > 1 ? films : 1;
-  layout.columns = columns > 1 ? columns : films;
   layout.header = pixels(64);
   layout.caption = pixels(48);
   layout.footer = pixels(40);
   layout.gap = std::max(1, int(std::lround(3 * layout.unit)));
-  const int height =
-      look.size.height - layout.header - layout.footer - layout.rows * layout.caption;
-  layout.panel = {(look.size.width - (layout.columns - 1) * layout.gap) / layout.columns,
-                  (height - (layout.rows - 1) * layout.gap) / layout.rows};
+  const auto arrange = [&](int rows, int across) {
+    layout.rows = rows;
+    layout.columns = across;
+    const int height = look.size.height - layout.header - layout.footer - rows * layout.caption;
+    layout.panel = {(look.size.width - (across - 1) * layout.gap) / across,
+                    (height - (rows - 1) * layout.gap) / rows};
+    return std::min(layout.panel.width, layout.panel.height);
+  };
+  if (columns > 1) {
+    arrange(films, columns);
+  } else {
+    int best = 1;
+    for (int rows = 2; rows <= films; ++rows)
+      if (arrange(rows, inRowsOf(films, rows)) > arrange(best, inRowsOf(films, best))) best = rows;
+    arrange(best, inRowsOf(films, best));
+  }
   constexpr int least = 16;
   if (layout.panel.width < least || layout.panel.height < least)
     throw TooSmall("a picture of " + inWords(look.size) + " is too small for " +
@@ -99,7 +112,7 @@ Image Studio::picture(const std::vector<int>& frames) {
       if (frames.size() > 1)
         drawPanel(picture, film, frames[std::size_t(i)], film, i);
       else
-        drawPanel(picture, film, frames[0], 0, film);
+        drawPanel(picture, film, frames[0], film / layout_.columns, film % layout_.columns);
   if (!look_.plain) drawFrame(picture);
   return picture;
 }

@@ -42,8 +42,8 @@ class Studio {
   /// GlError where there is no OpenGL, std::runtime_error where the font is missing.
   static void check(const Look& look, int films, int columns);
 
-  /// For one frame: a row of panels, one for each film. Otherwise: a row for each film, with a
-  /// panel for each frame.
+  /// For one frame: a panel for each film, in so many rows that the smaller side of a panel is as
+  /// large as it can be. Otherwise: a row for each film, with a panel for each frame.
   Image picture(const std::vector<int>& frames);
 
  private:

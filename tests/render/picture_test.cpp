@@ -5,10 +5,13 @@
 #include <unistd.h>
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <tuple>
 
+#include "demos/render/palette.h"
 #include "tests/render/image_file.h"
 #include "tests/render/shot.h"
 
@@ -171,6 +174,30 @@ TEST(Film, SaysThatAWorldIsLost) {
   const Film sound = filmOf("stack_10", "si:10", 0.1);
   EXPECT_FALSE(sound.frames[0].lost);
   EXPECT_EQ(factsInWords(sound.frames[0], false).find("LOST"), std::string::npos);
+}
+
+// Two films stand side by side, six in two rows of three: a row of six would leave slits.
+TEST(Picture, HasAPanelForEachFilm) {
+  const Film film = filmOf("stack_10", "si:10", 0);
+  Look look;
+  look.plain = true;
+  for (const auto& [films, columns, rows] : {std::tuple(1, 1, 1), {2, 2, 1}, {6, 3, 2}}) {
+    const Size panel{200, 190};
+    const int gap = 1;
+    look.size = {columns * (panel.width + gap) - gap, rows * (panel.height + gap) - gap};
+    Studio studio(std::vector<Film>(films, film), Shot::wishOf("stack_10"), look, 1);
+    const Image picture = studio.picture({0});
+    int others = 0;
+    for (int y = 0; y < panel.height; ++y)
+      for (int row = 0; row < rows; ++row)
+        for (int column = 0; column < columns; ++column)
+          others += !std::equal(
+              picture.pixel(0, y), picture.pixel(panel.width, y),
+              picture.pixel(column * (panel.width + gap), row * (panel.height + gap) + y));
+    EXPECT_EQ(others, 0) << films;
+    const Image empty(look.size, palette::paper);
+    EXPECT_NE(picture.rgb, empty.rgb);
+  }
 }
 
 /// Pictures at time 0 depend on no solver. Across machines fonts and rasterisers differ a little.
