@@ -4,6 +4,8 @@
 #include "BulletDynamics/ConstraintSolver/btContactSolverInfo.h"
 #include "BulletDynamics/ConstraintSolver/btGeneric6DofConstraint.h"
 #include "BulletDynamics/ConstraintSolver/btGeneric6DofSpring2Constraint.h"
+#include "BulletDynamics/ConstraintSolver/btHingeConstraint.h"
+#include "BulletDynamics/ConstraintSolver/btSliderConstraint.h"
 #include "BulletDynamics/ConstraintSolver/btTypedConstraint.h"
 #include "bullet_ext/arcs.h"
 #include "bullet_ext/convert.h"
@@ -84,6 +86,24 @@ bool movesNothing(const Group& group, const Row& row) {
 /// counts as none, radians. (Limits along an axis are not taken away so.)
 constexpr double negligiblePassing = 2e-5;
 
+/// Whether a motor turns the joint. Hinges and sliders add its speed to what their limit asks for.
+bool isTurned(const btTypedConstraint& joint) {
+  // Getters of old classes are not const.
+  auto& motor = const_cast<btTypedConstraint&>(joint);
+  switch (joint.getConstraintType()) {
+    case HINGE_CONSTRAINT_TYPE: {
+      auto* hinge = dynamic_cast<btHingeConstraint*>(&motor);
+      return hinge && hinge->getEnableAngularMotor() && hinge->getMotorTargetVelocity() != 0;
+    }
+    case SLIDER_CONSTRAINT_TYPE: {
+      auto* slider = dynamic_cast<btSliderConstraint*>(&motor);
+      return slider && slider->getPoweredAngMotor() && slider->getTargetAngMotorVelocity() != 0;
+    }
+    default:
+      return false;
+  }
+}
+
 /// Whether the row is that of a limit of a turn that is passed by next to nothing.
 bool isAtLimit(const Row& row, const InfoRow& info, const btContactSolverInfo& step) {
   const bool holdsOneWay = (info.lower == 0) != (info.upper == 0);
@@ -92,14 +112,16 @@ bool isAtLimit(const Row& row, const InfoRow& info, const btContactSolverInfo& s
 }
 
 Row toRow(const Group& group, int a, int b, const InfoRow& info, double damping,
-          btScalar breakingImpulse, const btContactSolverInfo& step) {
+          const btTypedConstraint& joint, const btContactSolverInfo& step) {
+  const btScalar breakingImpulse = joint.getBreakingImpulseThreshold();
   Row row;
   row.a = a;
   row.b = b;
   row.jacobianA = jacobian(info.linearA, info.angularA);
   row.jacobianB = jacobian(info.linearB, info.angularB);
   const double q = along(group.bodies, a, row.jacobianA) + along(group.bodies, b, row.jacobianB);
-  row.target = (isAtLimit(row, info, step) ? 0 : info.error) + (1 - damping) * q;
+  row.target =
+      (isAtLimit(row, info, step) && !isTurned(joint) ? 0 : info.error) + (1 - damping) * q;
   row.lower = toCoreBound(info.lower <= -breakingImpulse ? -breakingImpulse : info.lower);
   row.upper = toCoreBound(info.upper >= breakingImpulse ? breakingImpulse : info.upper);
   row.compliance = complianceOf(info.cfm, unfactoredResponse(group, row));
@@ -134,8 +156,7 @@ void gatherRows(Group& group, btTypedConstraint& joint, double lastImpulse, doub
 
   JointSource source{&joint, static_cast<int>(group.rows.size()), 0, -1, lastImpulse};
   for (std::size_t i = 0; i < group.asked.size(); ++i) {
-    const Row row =
-        toRow(group, a, b, group.asked[i], damping, joint.getBreakingImpulseThreshold(), info);
+    const Row row = toRow(group, a, b, group.asked[i], damping, joint, info);
     source.lastRow = -1;
     if (const char* fault = faultOfRow(row)) {
       report.leaveOut("row " + std::to_string(i) + " of " + nameOf(joint), fault);
@@ -204,7 +225,7 @@ bool holds(btTypedConstraint& joint) {
 }  // namespace
 
 void gatherJoined(Group& group, const GroupInput& input) {
-  const btRigidBody& world = btTypedConstraint::getFixedBody();
+  const btRigidBody& world = fixedBody();
   for (int i = 0; i < input.constraintCount; ++i) {
     btTypedConstraint& joint = *input.constraints[i];
     const btRigidBody &a = joint.getRigidBodyA(), &b = joint.getRigidBodyB();

@@ -255,15 +255,16 @@ bool HeldContacts::grazes(const Group& group, const Contact& contact) {
 /// `asked`: the speed at which the contact is to part, m/s. Sets `apart` to the speed at which its
 /// joints ask it to.
 HeldContacts::Held HeldContacts::judge(const Group& group, const Contact& contact, double asked,
-                                       double h, double& apart) {
+                                       double overlap, double h, double& apart) {
   const Impulse push = impulseOf(group, contact);
   // Kinematic bodies stand, but may move.
   Vec3 standing = Vec3::Zero();
   if (push.a == none) standing += velocityAt(group.bodies, contact.a, contact.armA);
   if (push.b == none) standing -= velocityAt(group.bodies, contact.b, contact.armB);
-  // Joints mend their errors; normals lean.
-  const double harmless = standing.isZero(0) ? still * longerArm(group, contact) / h
-                                             : std::sqrt(share) * standing.norm();
+  // Joints mend their errors, which decays; what drives on lets the overlap grow. Normals lean.
+  const double arm = longerArm(group, contact), deep = std::max(1.0, overlap / (play * arm));
+  const double harmless =
+      standing.isZero(0) ? still * arm / (h * deep * deep) : std::sqrt(share) * standing.norm();
   const double size = ImpulseSpan::product(group.bodies, push, push);
   const double step = size > 0 ? std::max(asked, 0.0) / size : 0;
   for (const bool withLimits : {false, true}) {
@@ -305,13 +306,14 @@ int HeldContacts::soften(Group& group, const btContactSolverInfo& info) {
   for (const int i : candidates_) {
     Contact& contact = group.contacts[i];
     double &asked = contact.target[0], &push = group.pushes[i], apart = 0;
-    const Held held = judge(group, contact, std::max(asked, push), info.m_timeStep, apart);
+    const PointSource& source = group.contactSources[i];
+    const btManifoldPoint& point = source.manifold->getContactPoint(source.point);
+    const Held held =
+        judge(group, contact, std::max(asked, push), -point.getDistance(), info.m_timeStep, apart);
     if (held == Held::No) continue;
     ++count;
     if (held == Held::Grazing) {
-      const PointSource& source = group.contactSources[i];
-      letOverlap(source.manifold->getContactPoint(source.point), info,
-                 play * longerArm(group, contact), contact, push);
+      letOverlap(point, info, play * longerArm(group, contact), contact, push);
       continue;
     }
     if (held == Held::ByLimit)

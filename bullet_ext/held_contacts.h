@@ -35,9 +35,10 @@ struct Group;
 /// plane by less than four degrees. Its bodies may overlap by `play` of the arm before it acts: the
 /// corners of a door that fits its frame exactly pass the frame, as rigid ones would not.
 ///
-/// A contact is not held where something drives the bodies together by more than `still` of the arm
-/// a step: the joints themselves, or the place where they are fixed, or anything kinematic. So a
-/// servo does not press its arm through a table, and a weld breaks in a press.
+/// A contact is not held where something drives the bodies together: anything kinematic, or the
+/// joints themselves. As joints mend their errors, they may do so by `still` of the arm a step
+/// while the bodies overlap by no more than `play`, and by less the deeper they are. So a servo
+/// does not press its arm through a table, however slowly it moves, and a weld breaks in a press.
 ///
 /// The joints that count are those of the mechanisms of the two bodies, if both mechanisms are
 /// fixed to the world or are the same one. Mechanisms of more than `mostRows` rows do not count.
@@ -84,7 +85,8 @@ class HeldContacts {
   double leftOf(const Group& group, const Impulse& push, bool withLimits, double step,
                 double& apart);
   bool grazes(const Group& group, const Contact& contact);
-  Held judge(const Group& group, const Contact& contact, double asked, double h, double& apart);
+  Held judge(const Group& group, const Contact& contact, double asked, double overlap, double h,
+             double& apart);
   bool isWhollyHeld(const Group& group, const Contact& contact);
 
   DisjointSets links_;

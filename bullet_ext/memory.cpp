@@ -61,6 +61,7 @@ int placeOf(const std::vector<Row>& rows, std::size_t row) {
 }  // namespace
 
 void Memory::Step::clear() {
+  length = 0;
   manifolds.clear();
   turners.clear();
   joints.clear();

@@ -46,12 +46,16 @@ std::string nameOf(const PointSource& source) {
 }
 
 std::string nameOf(const btTypedConstraint& joint) {
-  // The partner that Bullet gives to joints between a body and the world; it belongs to no world.
-  const btRigidBody& world = btTypedConstraint::getFixedBody();
+  const btRigidBody& world = fixedBody();
   const auto partner = [&](const btRigidBody& body) {
     return &body == &world ? std::string("the world") : nameOf(body);
   };
   return "a joint of " + partner(joint.getRigidBodyA()) + " and " + partner(joint.getRigidBodyB());
+}
+
+const btRigidBody& fixedBody() {
+  static const btRigidBody& world = btTypedConstraint::getFixedBody();
+  return world;
 }
 
 std::string nameOf(btMultiBodyConstraint& constraint) {

@@ -4,6 +4,7 @@
 
 class btCollisionObject;
 class btMultiBodyConstraint;
+class btRigidBody;
 class btTypedConstraint;
 
 namespace delassus::bullet {
@@ -17,5 +18,9 @@ std::string nameOf(const btCollisionObject& object);
 std::string nameOf(const PointSource& source);
 std::string nameOf(const btTypedConstraint& joint);
 std::string nameOf(btMultiBodyConstraint& constraint);
+
+/// The partner that Bullet gives to joints between a body and the world; it belongs to no world.
+/// (Bullet writes to it whenever it is asked for it, also where several worlds step at once.)
+const btRigidBody& fixedBody();
 
 }  // namespace delassus::bullet

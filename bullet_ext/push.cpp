@@ -76,14 +76,15 @@ bool throwsOne(const Pushes& pushes, const Island& island) {
   return fastest > reach * largest;
 }
 
-void pushIsland(const Island& island, Bench& bench, Pushes& pushes) {
+void pushIsland(const Island& island, const std::vector<Contact>& contacts, Bench& bench,
+                Pushes& pushes) {
   const std::vector<Row> noRows;
   const VectorXd fromRest;
-  const Problem& problem = bench.assembler.assemble(pushes.bodies, pushes.contacts, noRows, island);
+  const Problem& problem = bench.assembler.assemble(pushes.bodies, contacts, noRows, island);
   bench.solver.solve(problem, fromRest, bench.solution);
   bench.counts.add(bench.solution);
   const VectorXd& r = bench.solution.r;
-  if (r.allFinite()) applyReaction(pushes.bodies, pushes.contacts, noRows, island, r);
+  if (r.allFinite()) applyReaction(pushes.bodies, contacts, noRows, island, r);
 }
 
 /// Solves the push problem of the contacts that take part.
@@ -103,12 +104,16 @@ void solve(const Group& group, Workshop& workshop, Pushes& pushes) {
       pushes.islands, [&](int i) { return pushes.assembler.island(i).unknowns(); },
       [&](Bench& bench, int i) {
         const Island& island = pushes.assembler.island(i);
-        pushIsland(island, bench, pushes);
+        pushIsland(island, pushes.contacts, bench, pushes);
         if (!throwsOne(pushes, island)) return;
         pushes.isSoftened[i] = 1;
-        for (const int k : island.frictionless) soften(pushes.bodies, pushes.contacts[k]);
+        bench.softContacts.resize(pushes.contacts.size());
+        for (const int k : island.frictionless) {
+          bench.softContacts[k] = pushes.contacts[k];
+          soften(pushes.bodies, bench.softContacts[k]);
+        }
         for (const int body : island.bodies) pushes.bodies[body].velocity.setZero();
-        pushIsland(island, bench, pushes);
+        pushIsland(island, bench.softContacts, bench, pushes);
       });
   pushes.softened =
       static_cast<int>(std::count(pushes.isSoftened.begin(), pushes.isSoftened.end(), 1));

@@ -56,7 +56,7 @@ bool DenseNewton<Most>::solve(const Problem& problem, const NaturalMap& map, dou
                               int budget, Start from, Solution& best) {
   constexpr int mostSteps = 20;
   constexpr double near = 10;
-  const ReactionBounds bounds{problem.friction, problem.lower, problem.upper, problem.disks};
+  const auto bounds = ReactionBounds::of(problem);
   start(problem, map, from, best);
   double error = steps_.error(bounds);
   for (int k = 0; k < std::min(mostSteps, budget); ++k) {

@@ -23,7 +23,7 @@ void moveIntoDisk(const Disk& disk, VectorXd& r) {
 }
 
 /// The square of, roughly, the largest radius of gyration; 0 if the body cannot turn.
-double reachOf(const Body& body) {
+double squaredReachOf(const Body& body) {
   double least = infinity;
   for (int i = 0; i < 3; ++i)
     if (body.inverseInertia(i, i) > 0) least = std::min(least, body.inverseInertia(i, i));
@@ -35,15 +35,15 @@ double reachOf(const Body& body) {
 bool isSlower(const std::vector<Body>& bodies, const std::vector<Contact>& contacts,
               const std::vector<Row>& rows, const Island& island, double speed) {
   const double square = speed * speed;
-  double turn = 0, reach = 0;  // squared
+  double squaredTurn = 0, squaredReach = 0;
   for (int i : island.bodies) {
     const Vec6& v = bodies[i].velocity;
     if (!(v.head<3>().squaredNorm() <= square)) return false;
-    turn = std::max(turn, v.tail<3>().squaredNorm());
-    reach = std::max(reach, reachOf(bodies[i]));
+    squaredTurn = std::max(squaredTurn, v.tail<3>().squaredNorm());
+    squaredReach = std::max(squaredReach, squaredReachOf(bodies[i]));
   }
   const auto reachTo = [&](int body, double squaredArm) {
-    if (body >= 0 && bodies[body].movable()) reach = std::max(reach, squaredArm);
+    if (body >= 0 && bodies[body].movable()) squaredReach = std::max(squaredReach, squaredArm);
   };
   island.eachContact([&](int i) {
     reachTo(contacts[i].a, contacts[i].armA.squaredNorm());
@@ -57,7 +57,7 @@ bool isSlower(const std::vector<Body>& bodies, const std::vector<Contact>& conta
     reachTo(rows[i].a, squaredArm(rows[i].jacobianA));
     reachTo(rows[i].b, squaredArm(rows[i].jacobianB));
   }
-  return turn * reach <= square;
+  return squaredTurn * squaredReach <= square;
 }
 
 void makeReady(const Island& island, Tier tier, Solution& solution) {
@@ -169,7 +169,7 @@ double IslandCheck::move(const std::vector<Body>& bodies, const std::vector<Cont
   for (int i : island.rows) {
     const Row& c = rows[i];
     const double q = relativeVelocity(bodies, c);
-    if (std::abs(q) > demand)
+    if (std::abs(q) > demand || (c.governor < 0 && isForced(c.lower, c.upper)))
       demand = std::max(demand, c.governor >= 0 ? std::abs(q) : demandOf(q, c.lower, c.upper, [&] {
                           return diagonal(bodies, c) + c.compliance;
                         }));

@@ -1,7 +1,6 @@
 #include "delassus/newton_steps.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "delassus/cone.h"
 #include "delassus/row_product.h"
@@ -46,30 +45,8 @@ void NewtonSteps<Most>::multiply(const Vector& x, Vector& product) const {
 template <int Most>
 double NewtonSteps<Most>::evaluate(const ReactionBounds& bounds, const Vector& at,
                                    const Vector& velocity) {
-  const int n = bounds.contacts();
-  double sum = 0;
-  for (int i = 0; i < n; ++i) {
-    const int k = 3 * i;
-    const Vec3 own = at.template segment<3>(k);
-    const Vec3 z = own - velocity.template segment<3>(k) / rho[k];
-    const Vec3 f = reactionTo(z, bounds.friction[i], nullptr) - own;
-    error_.template segment<3>(k) = f;
-    sum += (rho[k] * f).squaredNorm();
-  }
-  for (int i = 0; i < bounds.rows(); ++i) {
-    const int k = 3 * n + i;
-    const double z = at[k] - velocity[k] / rho[k];
-    error_[k] = std::clamp(z, bounds.lower[i], bounds.upper[i]) - at[k];
-    sum += rho[k] * error_[k] * rho[k] * error_[k];
-  }
-  for (const Disk& disk : bounds.disks) {
-    const Vec2 own = disk.of(at), z = own - disk.of(velocity) / rho[disk.first];
-    const double load = at[disk.governor] + error_[disk.governor];
-    const Vec2 f = projectOnDisk(z, disk.radiusUnder(load)) - own;
-    for (int j = 0; j < disk.unknowns; ++j) error_[disk.first + j] = f[j];
-    sum += (rho[disk.first] * f).squaredNorm();
-  }
-  return std::sqrt(sum);
+  return reactionError(
+      bounds, at, velocity, [this](int k) { return rho[k]; }, error_);
 }
 
 /// A sliding disk is on the rim, which r_n moves, and turns as a contact does:

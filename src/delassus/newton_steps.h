@@ -5,24 +5,11 @@
 #include <vector>
 
 #include "delassus/bytes.h"
-#include "delassus/disk.h"
 #include "delassus/elimination.h"
+#include "delassus/reaction_error.h"
 #include "delassus/types.h"
 
 namespace delassus {
-
-/// The limits of the reactions of contacts, rows and disks, as in Problem.
-struct ReactionBounds {
-  const VectorXd &friction, &lower, &upper;
-  const std::vector<Disk>& disks;
-
-  int contacts() const { return static_cast<int>(friction.size()); }
-  /// Rows that belong to no disk.
-  int rows() const {
-    const int contactsEnd = 3 * contacts();
-    return disks.empty() ? static_cast<int>(lower.size()) : disks.front().first - contactsEnd;
-  }
-};
 
 /// Up to this many unknowns are solved without a workspace.
 constexpr int fewUnknowns = 15;

@@ -37,7 +37,7 @@ struct Options {
   /// Most regions, unless the residual is still falling (ProximalWalk::walkOn).
   int regionsInVain() const {
     constexpr int enough = 1800;
-    return std::min(newtonBudget, std::max(enough, newtonBudget / 8));
+    return std::clamp(newtonBudget, 0, std::max(enough, newtonBudget / 8));
   }
   /// Most block Gauss-Seidel sweeps, alternations, and steps on few contacts without their joints
   /// (condensed_newton.h), per island. Below 300 (isHurried), and in large heaps (pile_kind.h)

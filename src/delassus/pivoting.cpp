@@ -53,7 +53,8 @@ std::vector<std::vector<int>> linkedRows(const MatrixXd& W) {
   return groups;
 }
 
-/// The problem in units that give W a unit diagonal; r = r~ / scale, u = scale u~.
+/// The problem in units that give W a unit diagonal or, where not all of that is positive, entries
+/// up to 1; r = r~ / scale, u = scale u~.
 struct ScaledRows {
   BoundedRows rows;
   VectorXd scale;
@@ -63,7 +64,10 @@ ScaledRows scaleRows(const MatrixXd& W, const VectorXd& q, const VectorXd& lower
                      const VectorXd& upper) {
   ScaledRows scaled;
   const bool definiteDiagonal = W.diagonal().minCoeff() > 0;
-  scaled.scale = definiteDiagonal ? VectorXd(W.diagonal().cwiseSqrt()) : VectorXd::Ones(q.size());
+  const double largest = W.cwiseAbs().maxCoeff();
+  scaled.scale = definiteDiagonal
+                     ? VectorXd(W.diagonal().cwiseSqrt())
+                     : VectorXd::Constant(q.size(), largest > 0 ? std::sqrt(largest) : 1);
   const VectorXd inverse = scaled.scale.cwiseInverse();
   BoundedRows& rows = scaled.rows;
   rows.W = inverse.asDiagonal() * W * inverse.asDiagonal();

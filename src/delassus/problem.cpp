@@ -122,7 +122,7 @@ double Problem::demand() const {
     largest = std::max(largest, contactDemand(q.segment<3>(3 * i), friction[i]));
   for (int i = 0; i < rows(); ++i) {
     const int at = 3 * n + i;
-    if (std::abs(q[at]) > largest)
+    if (std::abs(q[at]) > largest || isForced(lower[i], upper[i]))
       largest = std::max(
           largest, demandOf(q[at], lower[i], upper[i], [this, at] { return W.diagonalOfRow(at); }));
   }

@@ -50,17 +50,22 @@ inline double contactDemand(const Vec3& q, double friction) {
   return friction > 0 ? std::max({-q[0], std::abs(q[1]), std::abs(q[2])}) : -q[0];
 }
 
+/// Whether a row presses whatever it asks for, as a spring does: its bounds exclude 0.
+inline bool isForced(double lower, double upper) { return lower > 0 || upper < 0; }
+
 /// The most that a row can ask for, m/s: |q|, but no more than its own reaction could change if the
 /// row were alone,
 ///
 ///     min(|q|, W_aa b),   b = upper if q < 0, else −lower
 ///
-/// An open limit asks for nothing. A motor of little force asks for little, whatever its speed. If
-/// b or W_aa < 0 the answer is |q|. `ownSize()` returns W_aa, which only few rows need.
+/// An open limit asks for nothing. A motor of little force asks for little, whatever its speed. A
+/// row that is forced asks at least for what its least reaction f changes, max(|q|, W_aa |f|). If
+/// W_aa < 0 the answer is |q|. `ownSize()` returns W_aa, which only few rows need.
 template <class OwnSize>
 double demandOf(double q, double lower, double upper, const OwnSize& ownSize) {
+  if (isForced(lower, upper)) return std::max(std::abs(q), ownSize() * std::max(lower, -upper));
   const double bound = q < 0 ? upper : -lower;
-  if (bound < 0 || bound == infinity) return std::abs(q);
+  if (bound == infinity) return std::abs(q);
   const double change = bound > 0 ? ownSize() * bound : 0;
   return change < 0 ? std::abs(q) : std::min(std::abs(q), change);
 }

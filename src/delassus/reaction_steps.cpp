@@ -1,10 +1,8 @@
 #include "delassus/reaction_steps.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "delassus/cone.h"
 #include "delassus/proximal_centers.h"
+#include "delassus/reaction_error.h"
 
 namespace delassus {
 
@@ -57,28 +55,9 @@ class ReactionSteps<Motion>::AroundCenter {
 /// Computes F at r and v. Returns ‖ρ F‖, m/s.
 template <class Motion>
 double ReactionSteps<Motion>::AroundCenter::error() {
-  const int contactsEnd = 3 * problem_.contacts();
   F_.resize(problem_.size());
-  double sum = 0;
-  for (int at = 0; at < contactsEnd; at += 3) {
-    const Vec3 own = r_.segment<3>(at), z = own - v_.segment<3>(at) / rho(at);
-    F_.segment<3>(at) = reactionTo(z, problem_.friction[at / 3], nullptr) - own;
-    sum += rho(at) * rho(at) * F_.segment<3>(at).squaredNorm();
-  }
-  for (int at = contactsEnd; at < problem_.disksBegin(); ++at) {
-    const int row = at - contactsEnd;
-    const double z = r_[at] - v_[at] / rho(at);
-    F_[at] = std::clamp(z, problem_.lower[row], problem_.upper[row]) - r_[at];
-    sum += rho(at) * F_[at] * rho(at) * F_[at];
-  }
-  for (const Disk& disk : problem_.disks) {
-    const double rho = this->rho(disk.first), load = r_[disk.governor] + F_[disk.governor];
-    const Vec2 own = disk.of(r_), z = own - disk.of(v_) / rho;
-    const Vec2 F = projectOnDisk(z, disk.radiusUnder(load)) - own;
-    disk.put(F, F_);
-    sum += (rho * F).squaredNorm();
-  }
-  return std::sqrt(sum);
+  return reactionError(
+      ReactionBounds::of(problem_), r_, v_, [this](int at) { return rho(at); }, F_);
 }
 
 /// Computes G and B F of a contact in the region of r and v.

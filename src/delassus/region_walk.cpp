@@ -209,14 +209,15 @@ bool RegionWalk::answerRegion(const VectorXd& anchor, double alpha) {
     if (states_[i] == RowState::AtUpper) r_[i] = problem_.upper[i];
   }
   u_ = problem_.W * r_ + problem_.q + alpha * (r_ - anchor);
+  double missed = 0;  // by rows that are free
   for (int refinement = 0; refinement < 2; ++refinement) {
     const VectorXd correction = solveFreeRows(u_(free_));
     r_(free_) -= correction;
     u_ = problem_.W * r_ + problem_.q + alpha * (r_ - anchor);
-    freeResidual_ = free_.empty() ? 0 : u_(free_).cwiseAbs().maxCoeff();
-    if (freeResidual_ <= problem_.roundOff(r_) / 8) break;
+    missed = free_.empty() ? 0 : u_(free_).cwiseAbs().maxCoeff();
+    if (missed <= problem_.roundOff(r_) / 8) break;
   }
-  return freeResidual_ <= 8 * problem_.roundOff(r_);
+  return missed <= 8 * problem_.roundOff(r_);
 }
 
 /// Rows whose reaction or velocity has a sign that their state forbids, by more than round-off.

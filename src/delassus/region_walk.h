@@ -80,7 +80,6 @@ class RegionWalk {
   const BoundedRows& problem_;
   std::vector<RowState> states_;
   VectorXd r_, u_;  ///< of the current region, u with the proximal term
-  double freeResidual_ = 0;
   double alpha_ = -1;
   std::unique_ptr<PrincipalCholesky> cholesky_;
   Eigen::PartialPivLU<MatrixXd> lu_;

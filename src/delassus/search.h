@@ -38,10 +38,10 @@ struct Task {
 
   /// Regions left of those that may gain nothing (regionsInVain).
   int regionsLeft(const Solution& best, int most = std::numeric_limits<int>::max()) const {
-    return std::min(most, options.regionsInVain() - reserved - best.regions);
+    return std::max(0, std::min(most, options.regionsInVain() - reserved - best.regions));
   }
   int sweepsLeft(const Solution& best, int most = std::numeric_limits<int>::max()) const {
-    return std::min(most, options.sweepBudget - best.sweeps);
+    return std::max(0, std::min(most, std::max(0, options.sweepBudget) - best.sweeps));
   }
   Task fromNothing() const {
     Task task = *this;

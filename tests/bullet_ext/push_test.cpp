@@ -12,9 +12,9 @@
 namespace delassus::test {
 namespace {
 
-/// The longest way, m, that a body makes in one of 20 steps. It is deep in a floor and in a shelf,
+/// The longest way, m, that a body makes in one of a few steps. It is deep in a floor and in a shelf,
 /// which lean against each other.
-double furthestStep(BulletWorld& world, bool isBall, double lean, double depth) {
+double furthestStep(BulletWorld& world, bool isBall, double lean, double depth, int steps = 20) {
   constexpr double half = 0.25;
   world.addBox({50, 1, 50}, {0, -1, 0}, 0);
   const btQuaternion turn({0, 0, 1}, btScalar(lean));
@@ -26,7 +26,7 @@ double furthestStep(BulletWorld& world, bool isBall, double lean, double depth) 
   const btRigidBody& body =
       isBall ? world.addSphere(half, middle, 1) : world.addBox({half, half, half}, middle, 1);
   double furthest = 0;
-  for (int step = 0; step < 20; ++step) {
+  for (int step = 0; step < steps; ++step) {
     const btVector3 before = body.getWorldTransform().getOrigin();
     world.advance();
     const double moved = (body.getWorldTransform().getOrigin() - before).length();
@@ -96,6 +96,15 @@ TEST(Push, WhatIsPinchedIsReported) {
   DelassusWorld pinched;
   furthestStep(pinched, true, 1e-3, 0.06);
   EXPECT_EQ(pinched.report().pushSoftened, 1);
+}
+
+// The pushes of a column are solved again. That changes nothing for others.
+TEST(Push, IslandsDoNotMeddle) {
+  DelassusWorld alone, beside;
+  for (int i = 0; i < 15; ++i) beside.addCube({40, btScalar(0.5 + 0.1 * i), 0});
+  EXPECT_EQ(furthestStep(alone, true, 1e-1, 0.06, 1), furthestStep(beside, true, 1e-1, 0.06, 1));
+  EXPECT_EQ(alone.report().pushSoftened, 1);
+  EXPECT_EQ(beside.report().pushSoftened, 1);
 }
 
 // In a plane world, a thing behind a body touches it with a small part of its normal in the plane.

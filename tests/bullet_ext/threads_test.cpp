@@ -256,5 +256,20 @@ TEST(Threads, FourSolversInFourThreadsWithTheirOwn) {
   for (const History& history : together) expectSame(history, serial);
 }
 
+// Worlds of several threads share the body that Bullet gives to joints with the world.
+TEST(Threads, NothingIsWrittenToTheBodyThatWorldsShare) {
+  DelassusWorld world;
+  btRigidBody& hanging = world.addCube({0, 0, 0});
+  world.addJoint<btPoint2PointConstraint>(hanging, btVector3(0, 0.5, 0));
+  world.advance();
+  // Bullet sets its mass and inertia anew whenever it is asked for it.
+  btRigidBody& shared = btTypedConstraint::getFixedBody();
+  shared.setInvInertiaDiagLocal({1, 1, 1});
+  world.advance();
+  EXPECT_EQ(shared.getInvInertiaDiagLocal().x(), 1);
+  btTypedConstraint::getFixedBody();
+  EXPECT_EQ(shared.getInvInertiaDiagLocal().x(), 0);
+}
+
 }  // namespace
 }  // namespace delassus::test

@@ -298,6 +298,9 @@ TEST(Demand, IsWhatReactionsCanAnswer) {
   EXPECT_EQ(oneRow(2, 1e9, -0.1, 0.3).demand(), 2 * 0.1) << "the other way";
   EXPECT_EQ(oneRow(2, 0.05, -0.1, 0.3).demand(), 0.05) << "that it can reach";
   EXPECT_EQ(oneRow(0, -1e9, -0.1, 0.3).demand(), 0) << "where nothing moves";
+  EXPECT_EQ(oneRow(2, 0, 3, 3).demand(), 2 * 3) << "a spring presses, whatever it asks for";
+  EXPECT_EQ(oneRow(2, 1, -4, -3).demand(), 2 * 3) << "the other way";
+  EXPECT_EQ(oneRow(2, -9, 3, 4).demand(), 9) << "asks for more";
   EXPECT_EQ(Problem().demand(), 0);
 }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <limits>
 
 #include "delassus/solver.h"
 #include "tests/support/random_piles.h"
@@ -27,6 +28,15 @@ TEST(Solver, ASpentBudgetIsNeverWorseThanAGuessThatIsWrongEverywhere) {
   Options options;
   options.newtonBudget = options.sweepBudget = options.pathBudget = 0;
   EXPECT_LE(Solver(options).solve(problem, guess).residual, naturalResidual(problem, guess).max);
+}
+
+TEST(Solver, BudgetsBelowNothingAreNothing) {
+  Random random(2);
+  const PileIsland pile(makePyramid(3, 0.5, 0.2, 10, random));
+  Options none, less;
+  none.newtonBudget = none.sweepBudget = none.pathBudget = 0;
+  less.newtonBudget = less.sweepBudget = less.pathBudget = std::numeric_limits<int>::min();
+  EXPECT_EQ(Solver(less).solve(pile.problem).r, Solver(none).solve(pile.problem).r);
 }
 
 // Where bodies lie deep in each other, a few sweeps from nothing raise the residual. They are kept

@@ -56,5 +56,32 @@ TEST(Units, HeapsAnswerInTheSameBits) {
   }
 }
 
+// Rows of circuits and multipliers have no diagonal by which they could be measured.
+TEST(Units, RowsWithoutDiagonalAnswerInTheSameBits) {
+  Random random(4);
+  for (int round = 0; round < 20; ++round) {
+    constexpr int n = 6, held = 2;
+    Problem own;
+    MatrixXd W = MatrixXd::Zero(n, n);
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; j < i; ++j) W(i, j) = uniform(random, -1, 1), W(j, i) = -W(i, j);
+    for (int i = held; i < n; ++i) W(i, i) = i % 2;
+    own.q = normalVector(n, random);
+    own.lower = VectorXd::Zero(n);
+    own.lower.head(held).setConstant(-infinity);
+    own.upper = VectorXd::Constant(n, infinity);
+    own.W = DelassusMatrix(DelassusMatrix::Sparse(W.sparseView()));
+    const Solution a = solve(own);
+    for (const auto& [ofW, ofQ] : {std::pair(-60, 0), {-20, -14}, {40, 10}}) {
+      Problem other = own;
+      other.W = DelassusMatrix(DelassusMatrix::Sparse((W * std::ldexp(1, ofW)).sparseView()));
+      other.q *= std::ldexp(1, ofQ);
+      const Solution b = solve(other);
+      EXPECT_EQ(a.status, b.status) << round << ' ' << ofW;
+      EXPECT_TRUE(a.r * std::ldexp(1, ofQ - ofW) == b.r) << round << ' ' << ofW;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace delassus::test

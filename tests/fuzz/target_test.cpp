@@ -32,6 +32,7 @@ TEST(Fuzz, ChangedSeedsBreakNoLaw) {
 TEST(Fuzz, FoundCasesStayMended) {
   const std::filesystem::path folder = std::filesystem::path(DELASSUS_FUZZ_CASES) / target.name;
   if (!std::filesystem::is_directory(folder)) GTEST_SKIP() << "none was found yet";
+  EXPECT_FALSE(std::filesystem::is_empty(folder));
   for (const auto& file : std::filesystem::directory_iterator(folder)) {
     std::ifstream in(file.path(), std::ios::binary);
     const std::string bytes{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};

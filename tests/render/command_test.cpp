@@ -86,7 +86,7 @@ TEST_F(RenderCommand, RefusesRunsWithoutEnd) {
 TEST_F(RenderCommand, TellsAtOnceWhichSizesCannotBe) {
   const std::string slow = "stack_40 --at 300 --out " + file("a");
   for (const char* small :
-       {" --size 64x64", " --size 100x100 --plain --solver si:1,si:2,si:3,si:4,si:5,si:6",
+       {" --size 64x64", " --size 40x40 --plain --solver si:1,si:2,si:3,si:4,si:5,si:6",
         " --size 640x90 --at 1,2 --solver delassus,si:10"}) {
     const Outcome outcome = render(slow + small, "timeout 20");
     EXPECT_EQ(outcome.status, 2) << small;
