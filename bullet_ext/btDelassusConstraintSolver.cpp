@@ -249,7 +249,8 @@ void btDelassusConstraintSolver::gather(const GroupInput& input, Extension* exte
   gatherGroup(w.group, input, report_, extension, stockRollingFriction_);
   if (!warmStarts(info)) return;
   w.memory.recall(w.group);
-  if (extension) extension->recall(w.group);
+  // reset() forgets the impulses that constraints of articulated bodies keep, too.
+  if (extension && w.memory.lastStep() > 0) extension->recall(w.group);
   w.memory.fitTimeStep(w.group, info.m_timeStep);
   if (geometricStiffness_)
     addTo(report_.stiffened, w.stiffness.stiffen(w.group, info, w.memory.lastStep()));

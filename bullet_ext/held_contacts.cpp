@@ -8,6 +8,7 @@
 #include "BulletCollision/NarrowPhaseCollision/btPersistentManifold.h"
 #include "BulletDynamics/ConstraintSolver/btContactSolverInfo.h"
 #include "BulletDynamics/ConstraintSolver/btTypedConstraint.h"
+#include "bullet_ext/arcs.h"
 #include "bullet_ext/convert.h"
 #include "bullet_ext/group.h"
 #include "bullet_ext/response.h"
@@ -20,14 +21,16 @@ namespace {
 constexpr int none = -1;
 
 /// In which directions the row holds its bodies rigidly, not as springs or motors do. It is a motor
-/// if it may push less than what breaks the joint.
+/// if it may push less than what breaks the joint. One that could turn its bodies by a radian
+/// within the step holds as a weld does.
 struct Ways {
   bool up, down;
 };
-Ways waysOf(const JointSource& joint, const Row& row) {
+Ways waysOf(const Group& group, const JointSource& joint, const Row& row, double h) {
   if (joint.isSoft || row.lower == row.upper) return {false, false};
-  const double breaking = toCoreBound(joint.constraint->getBreakingImpulseThreshold());
-  return {row.upper >= breaking, row.lower <= -breaking};
+  double enough = toCoreBound(joint.constraint->getBreakingImpulseThreshold());
+  if (turns(row)) enough = std::min(enough, 1 / (h * diagonal(group.bodies, row)));
+  return {row.upper >= enough, row.lower <= -enough};
 }
 
 bool isRigid(const Group& group, int body) { return group.movable(body) && !group.isLimb(body); }
@@ -102,14 +105,14 @@ std::size_t HeldContacts::bytes() const {
 }
 
 /// Collects the rows that hold, and the mechanisms that they make.
-void HeldContacts::collect(const Group& group) {
+void HeldContacts::collect(const Group& group, double h) {
   const auto bodies = static_cast<int>(group.bodies.size());
   links_.reset(bodies);
   holds_.clear();
   for (const JointSource& joint : group.joints)
     for (int k = joint.firstRow; k < joint.firstRow + joint.rowCount; ++k) {
       const Row& row = group.rows[k];
-      const Ways ways = waysOf(joint, row);
+      const Ways ways = waysOf(group, joint, row, h);
       const int a = isRigid(group, row.a) ? row.a : none, b = isRigid(group, row.b) ? row.b : none;
       if (!(ways.up || ways.down) || (a == none && b == none)) continue;
       holds_.push_back({k, a, b, ways.up, ways.down});
@@ -262,7 +265,10 @@ HeldContacts::Held HeldContacts::judge(const Group& group, const Contact& contac
   if (push.a == none) standing += velocityAt(group.bodies, contact.a, contact.armA);
   if (push.b == none) standing -= velocityAt(group.bodies, contact.b, contact.armB);
   // Joints mend their errors, which decays; what drives on lets the overlap grow. Normals lean.
-  const double arm = longerArm(group, contact), deep = std::max(1.0, overlap / (play * arm));
+  const double arm = longerArm(group, contact);
+  const bool isWithin =
+      push.a != none && push.b != none && mechanismOf(push.a) == mechanismOf(push.b);
+  const double deep = isWithin ? 1 : std::max(1.0, overlap / (play * arm));
   const double harmless =
       standing.isZero(0) ? still * arm / (h * deep * deep) : std::sqrt(share) * standing.norm();
   const double size = ImpulseSpan::product(group.bodies, push, push);
@@ -295,7 +301,7 @@ bool HeldContacts::isWhollyHeld(const Group& group, const Contact& contact) {
 
 int HeldContacts::soften(Group& group, const btContactSolverInfo& info) {
   if (group.contacts.empty() || group.joints.empty()) return 0;
-  collect(group);
+  collect(group, info.m_timeStep);
   if (holds_.empty()) return 0;
   candidates_.clear();
   for (std::size_t i = 0; i < group.contacts.size(); ++i)

@@ -36,13 +36,15 @@ struct Group;
 /// corners of a door that fits its frame exactly pass the frame, as rigid ones would not.
 ///
 /// A contact is not held where something drives the bodies together: anything kinematic, or the
-/// joints themselves. As joints mend their errors, they may do so by `still` of the arm a step
-/// while the bodies overlap by no more than `play`, and by less the deeper they are. So a servo
-/// does not press its arm through a table, however slowly it moves, and a weld breaks in a press.
+/// joints themselves. As joints mend their errors, they may do so by `still` of the arm a step;
+/// where a mechanism overlaps another one or a body at rest by more than `play`, by less the deeper
+/// it is. So a servo does not press its arm through a table, however slowly it moves, and a weld
+/// breaks in a press.
 ///
 /// The joints that count are those of the mechanisms of the two bodies, if both mechanisms are
 /// fixed to the world or are the same one. Mechanisms of more than `mostRows` rows do not count.
-/// Springs hold nothing, nor do motors, unless they may push without bounds.
+/// Springs hold nothing, nor do motors, unless they are as strong as welds: those that may push
+/// without bounds, and those of turns that could turn their bodies by a radian within the step.
 class HeldContacts {
  public:
   /// Call it when contacts and joints are gathered. Returns the number of contacts held, those that
@@ -53,7 +55,7 @@ class HeldContacts {
   static constexpr double share = sizeof(btScalar) == sizeof(double) ? 5e-5 : 5e-4;
   static constexpr double shareOfGrazing = 5e-3, play = 2.5e-3;
   static constexpr double softness = 1, still = 2e-4;
-  static constexpr int mostRows = 64;
+  static constexpr int mostRows = 256;
 
   std::size_t bytes() const;
 
@@ -74,7 +76,7 @@ class HeldContacts {
     int begin = 0, end = 0;  ///< among holds_, limits last
     int span = -1;           ///< among spans_: of rows that hold both ways; −1: not computed
   };
-  void collect(const Group& group);
+  void collect(const Group& group, double h);
   int mechanismOf(int body);
   bool mayBeHeld(const Group& group, const Contact& contact);
   void sortHolds();

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <limits>
 #include <utility>
 
@@ -72,14 +73,23 @@ void Memory::Step::clear() {
   marked.clear();
 }
 
+/// A number for the manifolds of this step, other than those of all other solvers; not 0, which
+/// Bullet gives to new ones. (It uses the field for nothing else.)
+int Memory::nextStamp() {
+  static std::atomic<int> last{0};
+  const int stamp = ++last;
+  return stamp != 0 ? stamp : ++last;
+}
+
 Memory::Owner Memory::ownerOf(const PointSource& point) {
-  return {point.manifold, point.bodyA, point.bodyB, numberOf(point.bodyA), numberOf(point.bodyB)};
+  return {point.manifold,        point.bodyA,           point.bodyB,
+          numberOf(point.bodyA), numberOf(point.bodyB), point.manifold->m_companionIdA};
 }
 
 Memory::Owner Memory::ownerOf(const JointSource& joint, double impulse) {
   const btRigidBody *a = &joint.constraint->getRigidBodyA(),
                     *b = &joint.constraint->getRigidBodyB();
-  return {joint.constraint, a, b, numberOf(a), numberOf(b), impulse};
+  return {joint.constraint, a, b, numberOf(a), numberOf(b), 0, impulse};
 }
 
 void Memory::Owners::clear() {
@@ -323,11 +333,13 @@ void Memory::keep(const Group& group, const Answer& answer, double h) {
 }
 
 void Memory::keepPoints(const Group& group, const Answer& answer) {
+  const int stamp = nextStamp();
   const auto contacts = static_cast<int>(group.contacts.size());
   makeFirstRoom([&] { return contacts; }, now_.points);
   makeFirstRoom([&] { return manifoldsOf(group); }, now_.manifolds);
   for (int begin = 0, end; begin < contacts; begin = end) {
     end = endOfManifold(group, begin);
+    group.contactSources[begin].manifold->m_companionIdA = stamp;
     Owner& owner = now_.manifolds.add(ownerOf(group.contactSources[begin]));
     owner.begin = static_cast<int>(now_.points.size());
     owner.end = owner.begin + end - begin;

@@ -49,12 +49,15 @@ class Memory {
   struct Owner {
     const void *object, *bodyA, *bodyB;  ///< object: manifold or joint
     int numberOfA, numberOfB;            ///< of the bodies, in the broadphase; 0 if in none
+    /// What the step wrote into the manifold. A new one that lies at its address has none, and
+    /// those of another world have others.
+    int stamp = 0;
     /// What the step left as the joint's applied impulse: N·s, or N·m·s of a row about an axis.
     double impulse = 0;
     int begin = 0, end = 0;  ///< among points or rows
     bool isSame(const Owner& other) const {
       return object == other.object && bodyA == other.bodyA && bodyB == other.bodyB &&
-             numberOfA == other.numberOfA && numberOfB == other.numberOfB &&
+             numberOfA == other.numberOfA && numberOfB == other.numberOfB && stamp == other.stamp &&
              impulse == other.impulse && std::signbit(impulse) == std::signbit(other.impulse);
     }
   };
@@ -113,6 +116,7 @@ class Memory {
     void clear();
   };
 
+  static int nextStamp();
   static Owner ownerOf(const PointSource& point);
   static Owner ownerOf(const JointSource& joint, double impulse);
 

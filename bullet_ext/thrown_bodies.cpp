@@ -68,7 +68,7 @@ struct Hold {
   double work = 0;   ///< r (u + u⁺)/2 of all that holds
   double asked = 0;  ///< r·target of all that holds
   double alone = 0;  ///< ½ target²/W_ii: the work, if each target were met alone
-  double drive = 0;  ///< work of what drives joints, in either direction
+  double drive = 0;  ///< work of what drives joints; none of what brakes them
 };
 /// All zero where no joint holds, whatever contacts do.
 Hold holdOf(const Group& group, const std::vector<Contact>& contacts, const std::vector<Row>& rows,
@@ -97,7 +97,7 @@ Hold holdOf(const Group& group, const std::vector<Contact>& contacts, const std:
     if (row.governor >= 0 || r[at] == 0) continue;
     const bool up = r[at] > 0;
     if (std::abs(r[at]) >= boundOf(row, up) || drives(group, island.rows[i], up)) {
-      sum.drive += std::min(std::abs(workOf(at, row.target)), aloneOf(at, row));
+      sum.drive += std::min(std::max(workOf(at, row.target), 0.0), aloneOf(at, row));
       continue;
     }
     add(at, row.target, diagonal(group.bodies, row));

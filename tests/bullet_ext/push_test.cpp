@@ -12,8 +12,8 @@
 namespace delassus::test {
 namespace {
 
-/// The longest way, m, that a body makes in one of a few steps. It is deep in a floor and in a shelf,
-/// which lean against each other.
+/// The longest way, m, that a body makes in one of a few steps. It is deep in a floor and in a
+/// shelf, which lean against each other.
 double furthestStep(BulletWorld& world, bool isBall, double lean, double depth, int steps = 20) {
   constexpr double half = 0.25;
   world.addBox({50, 1, 50}, {0, -1, 0}, 0);
