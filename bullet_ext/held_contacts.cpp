@@ -20,20 +20,37 @@ namespace {
 
 constexpr int none = -1;
 
+bool isRigid(const Group& group, int body) { return group.movable(body) && !group.isLimb(body); }
+
+/// The impulse with which the row alone turns its bodies within the step by a radian, or moves them
+/// by their radius of gyration.
+double impulseOfWelds(const Group& group, const Row& row, double h) {
+  double way = 1;
+  if (!turns(row)) {
+    double linear = 0, angular = 0;
+    for (const int body : {row.a, row.b}) {
+      if (!isRigid(group, body)) continue;
+      linear += group.bodies[body].inverseMass.mean();
+      angular += group.bodies[body].inverseInertia.trace() / 3;
+    }
+    way = std::sqrt(linear / angular);
+  }
+  return way / (h * diagonal(group.bodies, row));
+}
+
 /// In which directions the row holds its bodies rigidly, not as springs or motors do. It is a motor
-/// if it may push less than what breaks the joint. One that could turn its bodies by a radian
-/// within the step holds as a weld does.
+/// if it may push less than what breaks the joint. A motor as strong as impulseOfWelds holds.
 struct Ways {
   bool up, down;
 };
 Ways waysOf(const Group& group, const JointSource& joint, const Row& row, double h) {
   if (joint.isSoft || row.lower == row.upper) return {false, false};
-  double enough = toCoreBound(joint.constraint->getBreakingImpulseThreshold());
-  if (turns(row)) enough = std::min(enough, 1 / (h * diagonal(group.bodies, row)));
+  const double breaking = toCoreBound(joint.constraint->getBreakingImpulseThreshold());
+  // A row of a joint that never breaks mostly has bounds without end, or those of a one-way limit.
+  const bool mayBeMotor = std::isfinite(row.upper) && std::isfinite(row.lower);
+  const double enough = mayBeMotor ? std::min(breaking, impulseOfWelds(group, row, h)) : breaking;
   return {row.upper >= enough, row.lower <= -enough};
 }
-
-bool isRigid(const Group& group, int body) { return group.movable(body) && !group.isLimb(body); }
 
 ImpulseSpan::Impulse impulseOf(const Group& group, const Row& row) {
   ImpulseSpan::Impulse impulse;

@@ -43,8 +43,9 @@ struct Group;
 ///
 /// The joints that count are those of the mechanisms of the two bodies, if both mechanisms are
 /// fixed to the world or are the same one. Mechanisms of more than `mostRows` rows do not count.
-/// Springs hold nothing, nor do motors, unless they are as strong as welds: those that may push
-/// without bounds, and those of turns that could turn their bodies by a radian within the step.
+/// Springs hold nothing, nor do motors, unless they are as strong as welds: they may push without
+/// bounds, or could turn their bodies within the step by a radian, or move them by their radius of
+/// gyration.
 class HeldContacts {
  public:
   /// Call it when contacts and joints are gathered. Returns the number of contacts held, those that

@@ -1,12 +1,11 @@
 /// Worlds that begin anew with the same solver: nothing of the past comes back.
 
-#include <BulletDynamics/Featherstone/btMultiBodyJointMotor.h>
 #include <gtest/gtest.h>
 
 #include <memory>
 #include <vector>
 
-#include "tests/support/multibody_chain.h"
+#include "tests/support/bullet_world.h"
 #include "tests/support/same_bits.h"
 
 namespace delassus::test {
@@ -59,33 +58,6 @@ TEST(Episodes, ANewManifoldIsNotTakenForTheOneThatLayThere) {
     point->m_appliedImpulse = point->m_appliedImpulseLateral1 = point->m_appliedImpulseLateral2 = 0;
   world.advance();
   EXPECT_EQ(world.report().keptIslands, 0);
-}
-
-// Bullet's constraints keep the impulses of their last step.
-TEST(Episodes, AfterResetArticulatedBodiesMoveAgainAsTheyDid) {
-  constexpr int links = 4, steps = 40;
-  DelassusMultiBodyWorld world;
-  Chain chain(world, links);
-  world.finish(*chain.tree);
-  for (int i = 0; i < links; ++i)
-    world.addConstraint<btMultiBodyJointMotor>(chain.tree, i, btScalar(0.3) * i, btScalar(50));
-  const auto episode = [&] {
-    for (int i = 0; i < links; ++i) {
-      chain.tree->setJointPos(i, btScalar(0.2) * i);
-      chain.tree->setJointVel(i, btScalar(0.1));
-    }
-    MultiBodyWorld::place(*chain.tree);
-    world.solver().reset();
-    world.advance(steps);
-    std::vector<btScalar> motion;
-    for (int i = 0; i < links; ++i) {
-      motion.push_back(chain.tree->getJointPos(i));
-      motion.push_back(chain.tree->getJointVel(i));
-    }
-    return motion;
-  };
-  const std::vector<btScalar> first = episode();
-  expectSameBits(episode(), first);
 }
 
 }  // namespace
