@@ -48,9 +48,10 @@ class btDelassusConstraintSolver : public btConstraintSolver {
   /// together (coloured_sweeps.h, block_factor.h). This call starts the other threads at once; they
   /// sleep between steps. No thread is started before it, nor by setThreads(1); a number below 1
   /// counts as 1. The motion, the report (but for its seconds and bytes) and the order of events
-  /// are the same for any number. Storage that is kept from step to step is given back. Throws
-  /// std::system_error where no thread is to be had, and std::bad_alloc where there is no room for
-  /// so many; then the caller works alone.
+  /// are the same for any number. Storage that is kept from step to step is given back. Threads do
+  /// not come along when a process forks: a child must not use or delete a solver that has some,
+  /// and sets up its own. Throws std::system_error where no thread is to be had, and std::bad_alloc
+  /// where there is no room for so many; then the caller works alone.
   void setThreads(int threads);
   /// Bounds rolling and spinning friction of rigid bodies as Bullet's own solver does, for worlds
   /// that were tuned with it: |τ| ≤ κ min(r_n, 1 N·s) at each point in each step, and no spinning
@@ -82,8 +83,9 @@ class btDelassusConstraintSolver : public btConstraintSolver {
 
   /// Calls the listener at the end of each solveGroup with every contact whose mode changed, in the
   /// order of Bullet's manifolds: first those that took part, then those that were left out. The
-  /// listener must not add or remove anything in the world, nor reset this solver; it may set
-  /// listeners, for the steps to come. An empty function ends the calls; then no events are made.
+  /// listener must not add or remove anything in the world, nor reset this solver, nor throw (Bullet
+  /// would keep pointers to bodies that may be gone); it may set listeners, for the steps to come.
+  /// An empty function ends the calls; then no events are made.
   void setContactListener(std::function<void(const delassus::ContactEvent&)> listener);
   /// The same for every contact in trouble, in every step in which it is in trouble, whether or not
   /// its mode changed.
