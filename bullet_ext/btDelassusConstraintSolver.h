@@ -83,9 +83,9 @@ class btDelassusConstraintSolver : public btConstraintSolver {
 
   /// Calls the listener at the end of each solveGroup with every contact whose mode changed, in the
   /// order of Bullet's manifolds: first those that took part, then those that were left out. The
-  /// listener must not add or remove anything in the world, nor reset this solver, nor throw (Bullet
-  /// would keep pointers to bodies that may be gone); it may set listeners, for the steps to come.
-  /// An empty function ends the calls; then no events are made.
+  /// listener must not add or remove anything in the world, nor reset this solver, nor throw
+  /// (Bullet would keep pointers to bodies that may be gone); it may set listeners, for the steps
+  /// to come. An empty function ends the calls; then no events are made.
   void setContactListener(std::function<void(const delassus::ContactEvent&)> listener);
   /// The same for every contact in trouble, in every step in which it is in trouble, whether or not
   /// its mode changed.

@@ -38,18 +38,20 @@ double impulseOfWelds(const Group& group, const Row& row, double h) {
   return way / (h * diagonal(group.bodies, row));
 }
 
-/// In which directions the row holds its bodies rigidly, not as springs or motors do. It is a motor
-/// if it may push less than what breaks the joint. A motor as strong as impulseOfWelds holds.
+/// In which directions the row holds its bodies rigidly, not as springs or motors do.
 struct Ways {
   bool up, down;
+
+  /// Those in which it may push with `enough`.
+  static Ways of(const JointSource& joint, const Row& row, double enough) {
+    if (joint.isSoft || row.lower == row.upper) return {false, false};
+    return {row.upper >= enough, row.lower <= -enough};
+  }
+  bool any() const { return up || down; }
 };
-Ways waysOf(const Group& group, const JointSource& joint, const Row& row, double h) {
-  if (joint.isSoft || row.lower == row.upper) return {false, false};
-  const double breaking = toCoreBound(joint.constraint->getBreakingImpulseThreshold());
-  // A row of a joint that never breaks mostly has bounds without end, or those of a one-way limit.
-  const bool mayBeMotor = std::isfinite(row.upper) && std::isfinite(row.lower);
-  const double enough = mayBeMotor ? std::min(breaking, impulseOfWelds(group, row, h)) : breaking;
-  return {row.upper >= enough, row.lower <= -enough};
+/// A row is a motor if it may push less than what breaks the joint.
+Ways waysOf(const JointSource& joint, const Row& row) {
+  return Ways::of(joint, row, toCoreBound(joint.constraint->getBreakingImpulseThreshold()));
 }
 
 ImpulseSpan::Impulse impulseOf(const Group& group, const Row& row) {
@@ -126,12 +128,13 @@ void HeldContacts::collect(const Group& group, double h) {
   const auto bodies = static_cast<int>(group.bodies.size());
   links_.reset(bodies);
   holds_.clear();
+  const auto rigid = [&](int body) { return isRigid(group, body) ? body : none; };
   for (const JointSource& joint : group.joints)
     for (int k = joint.firstRow; k < joint.firstRow + joint.rowCount; ++k) {
       const Row& row = group.rows[k];
-      const Ways ways = waysOf(group, joint, row, h);
-      const int a = isRigid(group, row.a) ? row.a : none, b = isRigid(group, row.b) ? row.b : none;
-      if (!(ways.up || ways.down) || (a == none && b == none)) continue;
+      const Ways ways = waysOf(joint, row);
+      const int a = rigid(row.a), b = rigid(row.b);
+      if (!ways.any() || (a == none && b == none)) continue;
       holds_.push_back({k, a, b, ways.up, ways.down});
       if (a != none && b != none) links_.join(a, b);
     }
@@ -147,6 +150,23 @@ void HeldContacts::collect(const Group& group, double h) {
     ++mechanisms_[number].rows;
     if (hold.a == none || hold.b == none) mechanisms_[number].stands = true;
   }
+  collectStrongMotors(group, h);
+}
+
+/// Adds the motors of mechanisms that do not stand which are as strong as welds.
+void HeldContacts::collectStrongMotors(const Group& group, double h) {
+  for (const JointSource& joint : group.joints)
+    for (int k = joint.firstRow; k < joint.firstRow + joint.rowCount; ++k) {
+      const Row& row = group.rows[k];
+      if (!isRigid(group, row.a) || !isRigid(group, row.b) || waysOf(joint, row).any()) continue;
+      const int number = numberOf_[links_.root(row.a)];
+      if (number == none || links_.root(row.b) != links_.root(row.a) || mechanisms_[number].stands)
+        continue;
+      const Ways ways = Ways::of(joint, row, impulseOfWelds(group, row, h));
+      if (!ways.any()) continue;
+      holds_.push_back({k, row.a, row.b, ways.up, ways.down, number});
+      ++mechanisms_[number].rows;
+    }
 }
 
 /// The mechanism of a body that can move; none if nothing holds it, or too many rows do.

@@ -43,9 +43,9 @@ struct Group;
 ///
 /// The joints that count are those of the mechanisms of the two bodies, if both mechanisms are
 /// fixed to the world or are the same one. Mechanisms of more than `mostRows` rows do not count.
-/// Springs hold nothing, nor do motors, unless they are as strong as welds: they may push without
-/// bounds, or could turn their bodies within the step by a radian, or move them by their radius of
-/// gyration.
+/// Springs hold nothing, nor do motors, unless they may push without bounds. In a mechanism that is
+/// not fixed to the world, and so bears little beside its own weight, a motor also holds that could
+/// turn its bodies within the step by a radian, or move them by their radius of gyration.
 class HeldContacts {
  public:
   /// Call it when contacts and joints are gathered. Returns the number of contacts held, those that
@@ -78,6 +78,7 @@ class HeldContacts {
     int span = -1;           ///< among spans_: of rows that hold both ways; −1: not computed
   };
   void collect(const Group& group, double h);
+  void collectStrongMotors(const Group& group, double h);
   int mechanismOf(int body);
   bool mayBeHeld(const Group& group, const Contact& contact);
   void sortHolds();
