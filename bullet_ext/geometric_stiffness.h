@@ -33,8 +33,8 @@ struct Group;
 /// tremble for ever, and ropes gain energy. So would those whose links spin: from 0.2 rad a step on
 /// (`slowly`) ever less turns along, and from twice that on nothing.
 ///
-/// If the last step had another length, ω h is bounded by 0.7 instead of 2, and s = 0, since such
-/// steps can follow less. Other bodies stay as they are.
+/// If the length of the last step differed by more than a hundredth, ω h is bounded by 0.7 instead
+/// of 2, and s = 0, since such steps can follow less. Other bodies stay as they are.
 class GeometricStiffness {
  public:
   static constexpr double along = 0.9, slowly = 0.2;
