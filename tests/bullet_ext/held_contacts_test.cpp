@@ -184,63 +184,6 @@ TEST(HeldContacts, AWheelTurnsInTheFenderOfItsCar) {
   }
 }
 
-/// Links in space that only their contacts could move.
-double energyOf(DelassusWorld& world, int steps) {
-  double most = 0;
-  for (int step = 0; step < steps; ++step) {
-    world.advance();
-    double sum = 0;
-    for (int i = 0; i < world->getNumCollisionObjects(); ++i) {
-      const btRigidBody& body = *btRigidBody::upcast(world->getCollisionObjectArray()[i]);
-      const btVector3 turn = body.getAngularVelocity();
-      sum += 0.5 * body.getLinearVelocity().length2() / body.getInvMass() +
-             0.5 * turn.dot(body.getInvInertiaTensorWorld().inverse() * turn);
-    }
-    most = std::max(most, sum);
-  }
-  return most;
-}
-
-// Each link of a robot is welded to the next one, and overlaps the one after that.
-TEST(HeldContacts, WeldedLinksOfALongChainRest) {
-  constexpr int links = 30;
-  DelassusWorld world;
-  world->setGravity({0, 0, 0});
-  btRigidBody* last = nullptr;
-  for (int i = 0; i < links; ++i) {
-    btRigidBody& link =
-        world.addBox({btScalar(0.11), btScalar(0.05), btScalar(0.05)}, {btScalar(0.1 * i), 0, 0});
-    if (last) {
-      world.addJoint<btFixedConstraint>(*last, link, DelassusWorld::at({btScalar(0.1), 0, 0}),
-                                        btTransform::getIdentity());
-      link.setIgnoreCollisionCheck(last, true);
-    }
-    last = &link;
-  }
-  EXPECT_LT(energyOf(world, 60), tolerance(1e-12, 1e-8));
-  EXPECT_EQ(world.report().incompatible + world.report().outOfBudget, 0);
-  EXPECT_GT(world.report().held, 0);
-}
-
-// A motor that may push with 10 kN m holds its link as a weld does.
-TEST(HeldContacts, AStrongMotorIsNoDrive) {
-  DelassusWorld world;
-  world->setGravity({0, 0, 0});
-  btRigidBody& base = world.addBox({0.5, btScalar(0.1), 0.5}, {0, 0, 0}, 5);
-  btRigidBody& post = world.addBox({btScalar(0.1), 0.5, btScalar(0.1)}, {btScalar(-0.4), 0.6, 0});
-  btRigidBody& flap = world.addBox({btScalar(0.21), btScalar(0.05), btScalar(0.1)},
-                                   {btScalar(-0.1), btScalar(0.9), 0});
-  world.addJoint<btFixedConstraint>(base, post, DelassusWorld::at({btScalar(-0.4), 0.6, 0}),
-                                    btTransform::getIdentity());
-  auto& hinge = world.addJoint<btHingeConstraint>(
-      base, flap, btVector3(btScalar(0.1), btScalar(0.9), 0), btVector3(btScalar(0.2), 0, 0),
-      btVector3(0, 0, 1), btVector3(0, 0, 1));
-  hinge.enableAngularMotor(true, 0, btScalar(1e4 * h));
-  EXPECT_LT(energyOf(world, 60), tolerance(1e-12, 1e-6));
-  EXPECT_EQ(world.report().incompatible + world.report().outOfBudget, 0);
-  EXPECT_GT(world.report().held, 0);
-}
-
 // It carries what stands on it, and no more.
 TEST(HeldContacts, WhatIsBoltedIntoTheGroundPullsAtNoBolt) {
   for (const double overlap : {1e-3, 0.05}) {
