@@ -17,7 +17,7 @@ namespace delassus {
 /// as a nearly singular W with compatible demands lets reactions grow long, too.
 template <class Motion>
 bool ProximalWalk<Motion>::growsInVain(double tolerance, double residual) {
-  // Shares of the residual.
+  // Shares of the residual, and of the largest part of d.
   constexpr double hardlyOpen = 0.1, nothing = 1e-6;
   VectorXd &d = change_, &open = step_, &moved = trialError_;  // in storage that is free now
   d = r_ - center_;
@@ -27,6 +27,14 @@ bool ProximalWalk<Motion>::growsInVain(double tolerance, double residual) {
   if (plainRows == 0 || demands.cwiseAbs().maxCoeff() < hardlyOpen * residual) return false;
   demands.setZero();
   if (open.cwiseAbs().maxCoeff() > nothing * residual) return false;
+  // A motor grows no further than its bound, and then gives way.
+  const double least = nothing * d.cwiseAbs().maxCoeff();
+  for (int i = 0; i < plainRows; ++i) {
+    const double grows = d[frictional + i];
+    if (std::isfinite(grows > 0 ? problem().upper[i] : problem().lower[i]) &&
+        std::abs(grows) > least)
+      return false;
+  }
   space_.motion().impulse(d, felt_);
   space_.motion().relativeVelocity(felt_, moved);
   // Nothing is proven by a tolerance beside which the residual is small, nor by the rounding of

@@ -217,5 +217,26 @@ TEST_P(Redundant, OneSidedDemandsAreNoQuarrel) {
   EXPECT_GE(motionOf(island, solution)[2], 3 - 1e-6);
 }
 
+// A motor against the limit of its axis, which wants a little less, beside joints that want more.
+// Each gives by 1e-10 of what it answers: they press with what that takes, and no more.
+TEST(SoftMotor, AgainstItsLimitIsNoQuarrel) {
+  constexpr double softness = 1e-10, gap = 1e-10;
+  for (const double guessed : {0.0, 1.0, 5.0}) {
+    SCOPED_TRACE(testing::Message() << "guess " << guessed << " N s");
+    Pile pile;
+    pile.bodies.push_back(makeBox(2, 0.5, Vec6::Zero()));
+    pile.rows = {axisRow(0, 0, 3 * gap), axisRow(0, 0, 2 * gap, -1), axisRow(0, 1, 60 * gap)};
+    pile.rows[0].lower = -36;
+    pile.rows[0].upper = 36;
+    pile.rows[1].lower = 0;
+    for (Row& row : pile.rows) row.compliance = softness / 2;
+    const PileIsland island(pile);
+    const Solution solution = Solver().solve(island.problem, Vec3(guessed, guessed, 0));
+    EXPECT_EQ(solution.status, Status::Solved);
+    EXPECT_NEAR(solution.r[1], gap / softness, 1e-4);
+    EXPECT_NEAR(motionOf(island, solution)[0], 2.5 * gap, 1e-3 * gap);
+  }
+}
+
 }  // namespace
 }  // namespace delassus
