@@ -63,6 +63,12 @@ double breakingImpulseOf(const Group& group, int row) {
 /// The largest impulse that may push the row up, or down.
 double boundOf(const Row& row, bool up) { return up ? row.upper : -row.lower; }
 
+/// Whether the two rows push the same bodies in the same way, as a motor and the limits of its axis.
+bool isSameAxis(const Row& row, const Row& other) {
+  return row.governor < 0 && other.governor < 0 && row.a == other.a && row.b == other.b &&
+         row.jacobianA == other.jacobianA && row.jacobianB == other.jacobianB;
+}
+
 /// The work that is done to the bodies of an island, J.
 struct Hold {
   double work = 0;   ///< r (u + u⁺)/2 of all that holds
@@ -75,13 +81,14 @@ Hold holdOf(const Group& group, const std::vector<Contact>& contacts, const std:
             const Island& island, const Problem& problem, const Solution& solution) {
   const VectorXd &r = solution.r, &compliance = problem.W.bodySpace().compliance;
   Hold sum;
-  const auto workOf = [&](int at, double target) {
-    return r[at] * (0.5 * (problem.q[at] + solution.u[at] - compliance[at] * r[at]) + target);
+  const auto speedOf = [&](int at, double target) {  // the mean of those before and after
+    return 0.5 * (problem.q[at] + solution.u[at] - compliance[at] * r[at]) + target;
   };
-  const auto add = [&](int at, double target, double response) {
-    sum.work += workOf(at, target);
-    if (!(r[at] * target > 0) || !(response > 0)) return;
-    sum.asked += r[at] * target;
+  const auto workOf = [&](int at, double target) { return r[at] * speedOf(at, target); };
+  const auto add = [&](int at, double push, double target, double response) {
+    sum.work += push * speedOf(at, target);
+    if (!(push * target > 0) || !(response > 0)) return;
+    sum.asked += push * target;
     sum.alone += 0.5 * target * target / response;
   };
   // Of what drives: more than that only comes to it from what throws.
@@ -91,24 +98,45 @@ Hold holdOf(const Group& group, const std::vector<Contact>& contacts, const std:
   };
   bool jointsHold = false;
   const auto contactsEnd = static_cast<int>(r.size() - island.rows.size());
-  for (std::size_t i = 0; i < island.rows.size(); ++i) {
-    const int at = contactsEnd + static_cast<int>(i);
+  const auto count = static_cast<int>(island.rows.size());
+  const auto isDrive = [&](int i) {
+    const double reaction = r[contactsEnd + i];
+    const bool up = reaction > 0;
+    return std::abs(reaction) >= boundOf(rows[island.rows[i]], up) ||
+           drives(group, island.rows[i], up);
+  };
+  // What a limit pushes against the motor of its own axis moves nothing.
+  const auto pushOf = [&](int i) {
+    double push = r[contactsEnd + i];
+    const auto lessen = [&](int k) {
+      const double other = r[contactsEnd + k];
+      if (!(push * other < 0) || !isDrive(k)) return;
+      push = push > 0 ? std::max(push + other, 0.0) : std::min(push + other, 0.0);
+    };
+    const auto isOfItsAxis = [&](int k) {
+      return k >= 0 && k < count && isSameAxis(rows[island.rows[i]], rows[island.rows[k]]);
+    };
+    for (int k = i - 1; isOfItsAxis(k); --k) lessen(k);
+    for (int k = i + 1; isOfItsAxis(k); ++k) lessen(k);
+    return push;
+  };
+  for (int i = 0; i < count; ++i) {
+    const int at = contactsEnd + i;
     const Row& row = rows[island.rows[i]];
     if (row.governor >= 0 || r[at] == 0) continue;
-    const bool up = r[at] > 0;
-    if (std::abs(r[at]) >= boundOf(row, up) || drives(group, island.rows[i], up)) {
+    if (isDrive(i)) {
       sum.drive += std::min(std::max(workOf(at, row.target), 0.0), aloneOf(at, row));
       continue;
     }
-    add(at, row.target, diagonal(group.bodies, row));
+    add(at, pushOf(i), row.target, diagonal(group.bodies, row));
     jointsHold = true;
   }
   if (!jointsHold) return {};
 
   int at = 0;
   const auto addContact = [&](const Contact& c, int unknowns) {
-    for (int axis = 0; axis < unknowns; ++axis)
-      add(at++, c.target[axis], diagonal(group.bodies, c, axis));
+    for (int axis = 0; axis < unknowns; ++axis, ++at)
+      add(at, r[at], c.target[axis], diagonal(group.bodies, c, axis));
   };
   for (const int k : island.frictional) addContact(contacts[k], 3);
   for (const int k : island.frictionless) addContact(contacts[k], 1);
