@@ -229,7 +229,10 @@ void gatherJoined(Group& group, const GroupInput& input) {
   for (int i = 0; i < input.constraintCount; ++i) {
     btTypedConstraint& joint = *input.constraints[i];
     const btRigidBody &a = joint.getRigidBodyA(), &b = joint.getRigidBodyB();
-    if (joint.isEnabled() && holds(joint) && &a != &world && &b != &world) group.joined.add(a, b);
+    if (!joint.isEnabled() || !holds(joint)) continue;
+    group.joined.addHeld(a);
+    group.joined.addHeld(b);
+    if (&a != &world && &b != &world) group.joined.add(a, b);
   }
 }
 

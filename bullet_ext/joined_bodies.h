@@ -8,10 +8,11 @@ class btCollisionObject;
 
 namespace delassus::bullet {
 
-/// Knows which bodies a joint holds to each other; bodies are recognised by address.
+/// Knows which bodies a joint holds, and to which others; bodies are recognised by address.
 class JoinedBodies {
  public:
   void clear() {
+    held_.clear();
     first_.clear();
     partners_.clear();
   }
@@ -19,6 +20,9 @@ class JoinedBodies {
     addPartner(a, b);
     addPartner(b, a);
   }
+  /// Adds a body that a joint holds, be it to the world.
+  void addHeld(const btCollisionObject& body) { held_.insert(&body, 0); }
+  bool isHeld(const btCollisionObject& body) const { return held_.find(&body) != nullptr; }
   bool areJoined(const btCollisionObject& a, const btCollisionObject& b) const {
     if (partners_.empty()) return false;
     const int* first = first_.find(&a);
@@ -33,7 +37,9 @@ class JoinedBodies {
     for (std::size_t i = 0; i < partners_.size(); i += 2)
       visit(*partners_[i + 1].body, *partners_[i].body);
   }
-  std::size_t bytes() const { return first_.bytes() + partners_.capacity() * sizeof(Partner); }
+  std::size_t bytes() const {
+    return held_.bytes() + first_.bytes() + partners_.capacity() * sizeof(Partner);
+  }
 
  private:
   static constexpr int none = -1;
@@ -48,6 +54,7 @@ class JoinedBodies {
     first_.insert(&of, static_cast<int>(partners_.size()) - 1);
   }
 
+  AddressTable held_;
   AddressTable first_;  ///< index of each body's first partner
   std::vector<Partner> partners_;
 };

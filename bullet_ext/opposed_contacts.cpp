@@ -149,8 +149,10 @@ int OpposedContacts::soften(Group& group) {
       const bool isBehind = span.isInTriangles && overlap.push.dot(fromCentre) > 0;
       contact.compliance = std::max(
           contact.compliance, (isBehind ? shareBehind : share) * lesserResponse(group, contact));
-      contact.target[0] += push;
-      push = 0;
+      if (push > 0 && group.joined.isHeld(*group.bodySources[span.body].rigid)) {
+        contact.target[0] += push;
+        push = 0;
+      }
       ++count;
     }
   return count;

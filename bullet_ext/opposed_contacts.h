@@ -36,9 +36,9 @@ class OpposedContacts {
             int indexB, int first);
   /// Makes opposed contacts give by at least `share` of the response of the body that responds
   /// less. In triangles, contacts give by `shareBehind` if they push away from the side of the
-  /// centre of mass of the two opposed bodies, so that the bodies leave on that side. No opposed
-  /// contact is split: the pushes would contradict each other in the same way. Returns the number
-  /// of opposed contacts.
+  /// centre of mass of the two opposed bodies, so that the bodies leave on that side. Pushes, too,
+  /// feel that contacts give, but no joints: where a joint holds the body they would tear it off,
+  /// and its contacts are not split. Returns the number of opposed contacts.
   int soften(Group& group);
 
   static constexpr double share = 0.1, shareBehind = 10;

@@ -140,6 +140,26 @@ TEST(OpposedContacts, PartsThatInterlockAreSolved) {
   }
 }
 
+// Where one of two bars that hold a slab between them is deep in it, both are pushed apart, as with
+// split impulse, and not thrown.
+TEST(OpposedContacts, PartsThatInterlockDeeplyAreNotThrown) {
+  for (const double deep : {0.4, 0.7}) {
+    SCOPED_TRACE(testing::Message() << deep << " m");
+    btBoxShape bar(btVector3(2, 0.5, 0.5));
+    DelassusWorld world;
+    world.addBox({10, 1, 10}, {0, -1, 0}, 0);
+    btRigidBody& pair = world.addBody(
+        twoBars(bar, 2.8),
+        btTransform(btQuaternion::getIdentity(), btVector3(0, btScalar(-0.9 - deep), 0)), 1);
+    const btScalar y = pair.getWorldTransform().getOrigin().y();
+    for (int step = 0; step < 60; ++step) {
+      world.advance();
+      EXPECT_LT(pair.getLinearVelocity().length(), 0.5) << step;
+    }
+    EXPECT_GT(pair.getWorldTransform().getOrigin().y(), y + 0.3 * deep);
+  }
+}
+
 /// Two faces that lean by `half` rad against the vertical and meet at the origin, as one mesh or
 /// one compound.
 class Groove {
