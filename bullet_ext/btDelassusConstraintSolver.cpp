@@ -219,7 +219,7 @@ btDelassusConstraintSolver::Work btDelassusConstraintSolver::solve(const GroupIn
     solveIslands(w.group, info, w.workshop, w.answer, report_);
     laps.end(report_.secondsSolve);
   }
-  judgeContradictions(w.group, info.m_timeStep, w.answer);
+  judgeContradictions(w.group, w.answer);
   const Bench::Counts counts = w.workshop.takeCounts();
   w.pushes.clear();
   if (plan.pushContacts > 0) {

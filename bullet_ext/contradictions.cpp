@@ -38,9 +38,9 @@ double askedBy(const Group& group, const JointSource& joint) {
 
 /// The velocity that the rounding of poses may ask for, m/s, of bodies no further than `places`
 /// from the origin, or with arcs as long. It does not fall below that at 1 m.
-double askedByRounding(double places, double h) {
+double askedByRounding(const Group& group, double places) {
   constexpr double roundings = 4;
-  return roundings * SIMD_EPSILON * std::max(places, 1.0) / h;
+  return roundings * SIMD_EPSILON * std::max(places, 1.0) / group.h;
 }
 
 double placeOf(const btRigidBody& body) {
@@ -97,12 +97,12 @@ void blame(const Group& group, int row, double missed, Answer& answer) {
 }
 
 /// Sets islands to solved if they miss no more than the rounding of poses asks for.
-void forgiveRounding(const Group& group, double h, Answer& answer) {
+void forgiveRounding(const Group& group, Answer& answer) {
   for (int i = 0; i < answer.islands.count(); ++i) {
     IslandResult& result = answer.results[i];
     const Island& island = answer.islands[i];
     if (result.status != Status::Incompatible || result.isSoftened ||
-        result.residualMax > askedByRounding(placesOf(group, island), h))
+        result.residualMax > askedByRounding(group, island))
       continue;
     result.status = Status::Solved;
     result.blamed.clear();
@@ -111,7 +111,7 @@ void forgiveRounding(const Group& group, double h, Answer& answer) {
 }
 
 /// Blames the joint's row that gives most, if it gives much.
-void judgeJoint(const Group& group, const JointSource& joint, double h, Answer& answer) {
+void judgeJoint(const Group& group, const JointSource& joint, Answer& answer) {
   constexpr double share = 0.1;
   const auto missedBy = [&](int row) {
     return group.rows[row].compliance * std::abs(answer.rows[row]);
@@ -121,17 +121,21 @@ void judgeJoint(const Group& group, const JointSource& joint, double h, Answer& 
     if (missedBy(i) > missedBy(worst)) worst = i;
   const double missed = missedBy(worst);
   if (missed > share * speedOf(group, answer, worst) &&
-      missed > askedByRounding(std::max(placesOf(joint), group.arcOf(worst)), h) &&
+      missed > askedByRounding(group, std::max(placesOf(joint), group.arcOf(worst))) &&
       missed > share * askedBy(group, joint))
     blame(group, worst, missed, answer);
 }
 
 }  // namespace
 
-void judgeContradictions(const Group& group, double h, Answer& answer) {
-  forgiveRounding(group, h, answer);
+double askedByRounding(const Group& group, const Island& island) {
+  return askedByRounding(group, placesOf(group, island));
+}
+
+void judgeContradictions(const Group& group, Answer& answer) {
+  forgiveRounding(group, answer);
   for (const JointSource& joint : group.joints)
-    if (!joint.isSoft && joint.rowCount > 0) judgeJoint(group, joint, h, answer);
+    if (!joint.isSoft && joint.rowCount > 0) judgeJoint(group, joint, answer);
 }
 
 }  // namespace delassus::bullet

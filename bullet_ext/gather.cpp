@@ -12,6 +12,7 @@ namespace delassus::bullet {
 void gatherGroup(Group& group, const GroupInput& input, StepReport& report, Extension* extension,
                  bool asStock) {
   group.clear();
+  group.h = input.info->m_timeStep;
   gatherBodies(group, input, report);
   if (extension) extension->gatherBodies(group, input, report);
   gatherJoined(group, input);

@@ -106,6 +106,7 @@ struct alignas(16) InfoRow {
 
 /// One solveGroup call in the core's terms. The order follows Bullet's arrays, never addresses.
 struct Group {
+  double h = 0;              ///< the step, s
   std::vector<Body> bodies;  ///< dynamic and kinematic bodies; all others are the fixed world
   std::vector<BodySource> bodySources;
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bullet_ext/contradictions.h"
 #include "bullet_ext/group.h"
 #include "bullet_ext/response.h"
 #include "bullet_ext/thrown_bodies.h"
@@ -96,9 +97,12 @@ Quarrel quarrelOf(const Group& group, const Island& island, double demand,
   const auto isLocked = [&](int k) { return hasLockedAxis(group.bodies[k]); };
   const bool isHeld =
       hasJoints || std::any_of(island.bodies.begin(), island.bodies.end(), isLocked);
+  const auto isMuch = [&](double strain) {
+    return strain > times * demand && strain > times * askedByRounding(group, island);
+  };
   // Contacts first: in most islands they are not strained.
-  if (isHeld && strainOfContacts(group, island, solution.r) > times * demand &&
-      (!hasJoints || strainOfJoints(group, island, solution.r) > times * demand))
+  if (isHeld && isMuch(strainOfContacts(group, island, solution.r)) &&
+      (!hasJoints || isMuch(strainOfJoints(group, island, solution.r))))
     return Quarrel::Strained;
   return breaksJoints(group, island, solution.r) ? Quarrel::Breaking : Quarrel::None;
 }

@@ -27,8 +27,9 @@ enum class Quarrel {
   None,
   Breaking,  ///< a joint that holds reaches the threshold at which it breaks
   /// The demands are incompatible; or contacts and joints, or contacts and locked axes, strain each
-  /// other by a thousand times what the island demands, m/s. Incompatible contacts without joints
-  /// do not count: with less recovery, jaws would let go of what they pinch.
+  /// other by a thousand times what the island demands, m/s, and what the rounding of poses may ask
+  /// for. Incompatible contacts without joints do not count: with less recovery, jaws would let go
+  /// of what they pinch.
   Strained
 };
 Quarrel quarrelOf(const Group& group, const Island& island, double demand,
