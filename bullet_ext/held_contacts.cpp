@@ -13,6 +13,7 @@
 #include "bullet_ext/group.h"
 #include "bullet_ext/response.h"
 #include "bullet_ext/softness.h"
+#include "bullet_ext/unbounded_motors.h"
 #include "delassus/contact_motion.h"
 
 namespace delassus::bullet {
@@ -54,13 +55,15 @@ Ways waysOf(const JointSource& joint, const Row& row) {
   return Ways::of(joint, row, toCoreBound(joint.constraint->getBreakingImpulseThreshold()));
 }
 
-ImpulseSpan::Impulse impulseOf(const Group& group, const Row& row) {
+ImpulseSpan::Impulse impulseOf(const Group& group, const Row& row, bool isDriven) {
   ImpulseSpan::Impulse impulse;
   if (isRigid(group, row.a)) impulse.a = row.a, impulse.onA = row.jacobianA.transpose();
   if (isRigid(group, row.b)) impulse.b = row.b, impulse.onB = row.jacobianB.transpose();
-  impulse.wanted = row.target;
-  if (impulse.a == none) impulse.wanted -= along(group.bodies, row.a, row.jacobianA);
-  if (impulse.b == none) impulse.wanted -= along(group.bodies, row.b, row.jacobianB);
+  // Kinematic bodies drive.
+  double driven = 0;
+  if (impulse.a == none) driven -= along(group.bodies, row.a, row.jacobianA);
+  if (impulse.b == none) driven -= along(group.bodies, row.b, row.jacobianB);
+  impulse.wanted = {driven + row.target, isDriven ? driven + row.target : driven};
   return impulse;
 }
 
@@ -117,8 +120,9 @@ double longerArm(const Group& group, const Contact& contact) {
 }  // namespace
 
 std::size_t HeldContacts::bytes() const {
-  std::size_t sum = links_.bytes() +
-                    bytesOf(holds_, mechanisms_, numberOf_, candidates_, spans_, ofPush_, ofRow_);
+  std::size_t sum = links_.bytes() + paths_.bytes() +
+                    bytesOf(holds_, mechanisms_, numberOf_, candidates_, spans_, ofPush_, ofRow_,
+                            onLink_, firstOnLink_);
   for (const ImpulseSpan& span : spans_) sum += span.bytes();
   return sum;
 }
@@ -129,15 +133,18 @@ void HeldContacts::collect(const Group& group, double h) {
   links_.reset(bodies);
   holds_.clear();
   const auto rigid = [&](int body) { return isRigid(group, body) ? body : none; };
-  for (const JointSource& joint : group.joints)
+  for (const JointSource& joint : group.joints) {
+    const bool mayDrive = hasUnboundedMotor(*joint.constraint);
     for (int k = joint.firstRow; k < joint.firstRow + joint.rowCount; ++k) {
       const Row& row = group.rows[k];
       const Ways ways = waysOf(joint, row);
       const int a = rigid(row.a), b = rigid(row.b);
       if (!ways.any() || (a == none && b == none)) continue;
-      holds_.push_back({k, a, b, ways.up, ways.down});
+      // Hinges and sliders add the speed of a motor to what their limit asks for.
+      holds_.push_back({k, a, b, ways.up, ways.down, mayDrive || ways.up != ways.down});
       if (a != none && b != none) links_.join(a, b);
     }
+  }
   mechanisms_.clear();
   numberOf_.assign(bodies, none);
   for (Hold& hold : holds_) {
@@ -164,16 +171,13 @@ void HeldContacts::collectStrongMotors(const Group& group, double h) {
         continue;
       const Ways ways = Ways::of(joint, row, impulseOfWelds(group, row, h));
       if (!ways.any()) continue;
-      holds_.push_back({k, row.a, row.b, ways.up, ways.down, number});
+      holds_.push_back({k, row.a, row.b, ways.up, ways.down, true, number});
       ++mechanisms_[number].rows;
     }
 }
 
-/// The mechanism of a body that can move; none if nothing holds it, or too many rows do.
-int HeldContacts::mechanismOf(int body) {
-  const int number = numberOf_[links_.root(body)];
-  return number != none && mechanisms_[number].rows <= mostRows ? number : none;
-}
+/// The mechanism of a body that can move; none if nothing holds it.
+int HeldContacts::mechanismOf(int body) { return numberOf_[links_.root(body)]; }
 
 /// Whether the contact is between parts of one mechanism, between mechanisms that are both fixed to
 /// bodies at rest, or between such a mechanism and a body at rest.
@@ -183,8 +187,8 @@ bool HeldContacts::mayBeHeld(const Group& group, const Contact& contact) {
   const int a = movesA ? mechanismOf(contact.a) : none, b = movesB ? mechanismOf(contact.b) : none;
   if ((movesA && a == none) || (movesB && b == none)) return false;
   if (movesA && a == b) return true;
-  return (movesA || movesB) && (!movesA || mechanisms_[a].stands) &&
-         (!movesB || mechanisms_[b].stands);
+  const auto stands = [&](int number) { return mechanisms_[number].stands && !isLarge(number); };
+  return (movesA || movesB) && (!movesA || stands(a)) && (!movesB || stands(b));
 }
 
 void HeldContacts::sortHolds() {
@@ -210,7 +214,8 @@ ImpulseSpan& HeldContacts::spanOf(const Group& group, Mechanism& mechanism) {
     ImpulseSpan& span = spans_[mechanism.span];
     span.truncate(0);
     for (int k = mechanism.begin; k < mechanism.end && !holds_[k].isLimit(); ++k)
-      extend(group, holds_[k], impulseOf(group, group.rows[holds_[k].row]), span);
+      extend(group, holds_[k], impulseOf(group, group.rows[holds_[k].row], holds_[k].isDriven),
+             span);
   }
   return spans_[mechanism.span];
 }
@@ -229,13 +234,13 @@ double HeldContacts::extend(const Group& group, const Hold& hold, const Impulse&
 
 /// The part of (push, push) that the mechanism takes up: by rows that hold both ways, or also by
 /// limits that the push would cross and that `step` of it reaches in this step, each tried once, in
-/// their order. Adds to `apart` the speed at which these ask the contact to part, m/s.
+/// their order. Adds to `apart` the speed at which these ask the contact to part.
 double HeldContacts::takenUp(const Group& group, const Impulse& push, Mechanism& mechanism,
-                             bool withLimits, double step, double& apart) {
+                             bool withLimits, double step, Wanted& apart) {
   ImpulseSpan& span = spanOf(group, mechanism);
   span.coordinates(group.bodies, push, ofPush_);
   if (!withLimits) {
-    apart += span.wantedAlong(ofPush_);
+    apart.add(span.wantedAlong(ofPush_));
     return squaresOf(ofPush_);
   }
   const int size = span.size();
@@ -243,7 +248,7 @@ double HeldContacts::takenUp(const Group& group, const Impulse& push, Mechanism&
     const Hold& hold = holds_[k];
     if (!hold.isLimit()) continue;
     const Row& row = group.rows[hold.row];
-    const Impulse impulse = impulseOf(group, row);
+    const Impulse impulse = impulseOf(group, row, hold.isDriven);
     double along = ImpulseSpan::product(group.bodies, impulse, push);
     // Some joints have rows for limits that are far away.
     const double reached = relativeVelocity(group.bodies, row) + step * along;
@@ -256,19 +261,19 @@ double HeldContacts::takenUp(const Group& group, const Impulse& push, Mechanism&
     else
       span.truncate(span.size() - 1);
   }
-  apart += span.wantedAlong(ofPush_);
+  apart.add(span.wantedAlong(ofPush_));
   span.truncate(size);
   return squaresOf(ofPush_);
 }
 
 /// The part of (push, push) that the joints of its bodies leave.
 double HeldContacts::leftOf(const Group& group, const Impulse& push, bool withLimits, double step,
-                            double& apart) {
+                            Wanted& apart) {
   double left = ImpulseSpan::product(group.bodies, push, push);
   int first = none;
   for (const int body : {push.a, push.b}) {
     if (body == none) continue;
-    const int number = mechanismOf(body);
+    const int number = narrowed_ != none ? narrowed_ : mechanismOf(body);
     if (number != first) left -= takenUp(group, push, mechanisms_[number], withLimits, step, apart);
     first = number;
   }
@@ -278,7 +283,7 @@ double HeldContacts::leftOf(const Group& group, const Impulse& push, bool withLi
 /// Whether each of the two bodies grazes: what motion joints leave its point of the contact is
 /// hardly along the normal.
 bool HeldContacts::grazes(const Group& group, const Contact& contact) {
-  double apart = 0;
+  Wanted apart;
   const auto left = [&](bool ofA, int axis) {
     Impulse push = impulseOf(group, contact, axis);
     (ofA ? push.b : push.a) = none;
@@ -303,18 +308,24 @@ HeldContacts::Held HeldContacts::judge(const Group& group, const Contact& contac
   if (push.b == none) standing -= velocityAt(group.bodies, contact.b, contact.armB);
   // Joints mend their errors, which decays; what drives on lets the overlap grow. Normals lean.
   const double arm = longerArm(group, contact);
-  const bool isWithin =
-      push.a != none && push.b != none && mechanismOf(push.a) == mechanismOf(push.b);
+  const bool isWithin = isWithinOne(group, contact);
+  narrowed_ = none;
+  if (isWithin && isLarge(mechanismOf(contact.a))) {
+    narrowed_ = wayBetween(contact.a, contact.b);
+    if (narrowed_ == none) return Held::No;
+  }
   const double deep = isWithin ? 1 : std::max(1.0, overlap / (play * arm));
   const double harmless =
       standing.isZero(0) ? still * arm / (h * deep * deep) : std::sqrt(share) * standing.norm();
   const double size = ImpulseSpan::product(group.bodies, push, push);
   const double step = size > 0 ? std::max(asked, 0.0) / size : 0;
   for (const bool withLimits : {false, true}) {
-    apart = contact.frame.col(0).dot(standing);
-    const bool isHeld = leftOf(group, push, withLimits, step, apart) <= share * size;
+    const double driven = contact.frame.col(0).dot(standing);
+    Wanted wanted{driven, driven};
+    const bool isHeld = leftOf(group, push, withLimits, step, wanted) <= share * size;
     if (!isHeld && (withLimits || !grazes(group, contact))) continue;
-    if (apart < -harmless) return Held::No;
+    apart = wanted.all;
+    if ((isWithin ? wanted.ofDrives : wanted.all) < -harmless) return Held::No;
     if (!isHeld) return Held::Grazing;
     if (withLimits) return Held::ByLimit;
     return isWhollyHeld(group, contact) ? Held::Wholly : Held::Along;
@@ -322,9 +333,14 @@ HeldContacts::Held HeldContacts::judge(const Group& group, const Contact& contac
   return Held::No;
 }
 
+bool HeldContacts::isWithinOne(const Group& group, const Contact& contact) {
+  return isRigid(group, contact.a) && isRigid(group, contact.b) &&
+         mechanismOf(contact.a) == mechanismOf(contact.b);
+}
+
 /// Whether the joints leave the two bodies no relative motion at all.
 bool HeldContacts::isWhollyHeld(const Group& group, const Contact& contact) {
-  double apart = 0;
+  Wanted apart;
   const auto isHeld = [&](const Impulse& push) {
     return leftOf(group, push, false, 0, apart) <=
            share * ImpulseSpan::product(group.bodies, push, push);
@@ -345,6 +361,7 @@ int HeldContacts::soften(Group& group, const btContactSolverInfo& info) {
     if (mayBeHeld(group, group.contacts[i])) candidates_.push_back(static_cast<int>(i));
   if (candidates_.empty()) return 0;
   sortHolds();
+  hasWays_ = false;
   int count = 0;
   for (const int i : candidates_) {
     Contact& contact = group.contacts[i];
@@ -364,8 +381,10 @@ int HeldContacts::soften(Group& group, const btContactSolverInfo& info) {
     else
       asked = std::min(asked, held == Held::Wholly ? apart : 0);
     push = 0;
-    if (held == Held::Wholly) continue;
-    const double give = held == Held::Along ? softness : joinedSoftness;
+    if (held == Held::Wholly && !isWithinOne(group, contact)) continue;
+    const double give = held == Held::Along    ? softness
+                        : held == Held::Wholly ? loopSoftness
+                                               : joinedSoftness;
     contact.compliance = std::max(contact.compliance, give * lesserResponse(group, contact));
   }
   return count;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "LinearMath/btScalar.h"
+#include "bullet_ext/body_paths.h"
 #include "bullet_ext/impulse_span.h"
 #include "delassus/contact.h"
 #include "delassus/disjoint_sets.h"
@@ -27,7 +28,9 @@ struct Group;
 ///   - Some motion is left (a door): the contact asks for no more than rest, and gives by
 ///     `softness` of the response of the body that responds less. The joints carry all.
 ///   - No motion at all is left (a welded post): the contact asks for no more than the joints do,
-///     and shares the load with them.
+///     and shares the load with them. Between links of one mechanism it gives by loopSoftness, as
+///     joints that close a loop: rigid ones would squeeze each other by what rounding asks for, and
+///     friction, which acts on two surfaces that overlap, would spin the mechanism.
 ///   - Only a limit blocks it that the bodies reach in this step: they can go the other way. The
 ///     contact gives by joinedSoftness and is not split, as contacts of bodies that a joint links.
 ///
@@ -39,10 +42,14 @@ struct Group;
 /// joints themselves. As joints mend their errors, they may do so by `still` of the arm a step;
 /// where a mechanism overlaps another one or a body at rest by more than `play`, by less the deeper
 /// it is. So a servo does not press its arm through a table, however slowly it moves, and a weld
-/// breaks in a press.
+/// breaks in a press. Between links of one mechanism only drives count: errors, as of links that a
+/// blow has pulled apart, end where the links fit together, and a contact that resisted would keep
+/// them apart for ever.
 ///
 /// The joints that count are those of the mechanisms of the two bodies, if both mechanisms are
-/// fixed to the world or are the same one. Mechanisms of more than `mostRows` rows do not count.
+/// fixed to the world or are the same one. Of a mechanism of more than `mostRows` rows only those
+/// count that are on a way between the two bodies, if these are no more and leave fewer than six
+/// motions.
 /// Springs hold nothing, nor do motors, unless they may push without bounds. In a mechanism that is
 /// not fixed to the world, and so bears little beside its own weight, a motor also holds that could
 /// turn its bodies within the step by a radian, or move them by their radius of gyration.
@@ -62,11 +69,13 @@ class HeldContacts {
 
  private:
   using Impulse = ImpulseSpan::Impulse;
+  using Wanted = ImpulseSpan::Wanted;
   enum class Held { No, Grazing, ByLimit, Along, Wholly };
   /// A row that holds.
   struct Hold {
     int row, a, b;  ///< the row and its bodies that can move; −1: none
     bool up, down;  ///< whether its reaction may be as large as need be, and as negative
+    bool isDriven;  ///< what it asks for may be a drive's, and no error that it mends
     int mechanism = -1;
     bool isLimit() const { return up != down; }
   };
@@ -80,14 +89,18 @@ class HeldContacts {
   void collect(const Group& group, double h);
   void collectStrongMotors(const Group& group, double h);
   int mechanismOf(int body);
+  bool isLarge(int mechanism) const { return mechanisms_[mechanism].rows > mostRows; }
+  int wayBetween(int a, int b);
+  void findWays();
   bool mayBeHeld(const Group& group, const Contact& contact);
+  bool isWithinOne(const Group& group, const Contact& contact);
   void sortHolds();
   ImpulseSpan& spanOf(const Group& group, Mechanism& mechanism);
   double extend(const Group& group, const Hold& hold, const Impulse& impulse, ImpulseSpan& span);
   double takenUp(const Group& group, const Impulse& push, Mechanism& mechanism, bool withLimits,
-                 double step, double& apart);
+                 double step, Wanted& apart);
   double leftOf(const Group& group, const Impulse& push, bool withLimits, double step,
-                double& apart);
+                Wanted& apart);
   bool grazes(const Group& group, const Contact& contact);
   Held judge(const Group& group, const Contact& contact, double asked, double overlap, double h,
              double& apart);
@@ -101,6 +114,15 @@ class HeldContacts {
   std::vector<ImpulseSpan> spans_;  ///< storage is used again
   int spansUsed_ = 0;
   std::vector<double> ofPush_, ofRow_;  ///< coordinates
+
+  BodyPaths paths_;
+  bool hasWays_ = false;
+  /// The holds along the link from each body to the next one in paths_, one body after the other.
+  std::vector<int> onLink_, firstOnLink_;
+  /// The last way that was asked for: from body to body, as a mechanism of its own; none if too
+  /// many rows are on it.
+  int from_ = -1, to_ = -1, way_ = -1;
+  int narrowed_ = -1;  ///< what takes the place of the mechanism of both bodies; −1: nothing
 };
 
 }  // namespace delassus::bullet

@@ -15,11 +15,20 @@ namespace delassus::bullet {
 ///     (p, p') = pᵀ M⁻¹ p',   (p, p) of rows with their compliance
 class ImpulseSpan {
  public:
+  /// The velocity that rows ask for, m/s.
+  struct Wanted {
+    double all = 0;
+    double ofDrives = 0;  ///< the part that mends no errors
+    void add(const Wanted& other, double times = 1) {
+      all += times * other.all;
+      ofDrives += times * other.ofDrives;
+    }
+  };
   /// On bodies that can move; −1: on none.
   struct Impulse {
     int a = -1, b = -1;
     Vec6 onA = Vec6::Zero(), onB = Vec6::Zero();
-    double wanted = 0;  ///< of a row: the velocity that it asks of these bodies, m/s
+    Wanted wanted = {};  ///< of a row: what it asks of these bodies
   };
   static double product(const std::vector<Body>& bodies, const Impulse& p, const Impulse& q);
 
@@ -31,11 +40,11 @@ class ImpulseSpan {
                    std::vector<double>& of) const;
   /// Adds p, whose coordinates and (p, p) less their squares these are.
   void add(const Impulse& p, const std::vector<double>& coordinates, double left);
-  /// The velocity that the rows ask for along what has these coordinates, as far as it lies in
-  /// their span, m/s: y·L⁻¹ w, w what each of them asks for.
-  double wantedAlong(const std::vector<double>& of) const {
-    double sum = 0;
-    for (std::size_t k = 0; k < of.size(); ++k) sum += of[k] * impulses_[k].wanted;
+  /// What the rows ask for along what has these coordinates, as far as it lies in their span:
+  /// y·L⁻¹ w, w what each of them asks for.
+  Wanted wantedAlong(const std::vector<double>& of) const {
+    Wanted sum;
+    for (std::size_t k = 0; k < of.size(); ++k) sum.add(impulses_[k].wanted, of[k]);
     return sum;
   }
   std::size_t bytes() const { return bytesOf(impulses_, begins_, factor_); }
