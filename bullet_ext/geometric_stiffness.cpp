@@ -1,7 +1,6 @@
 #include "bullet_ext/geometric_stiffness.h"
 
 #include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
@@ -93,27 +92,40 @@ Mat3 stiffnessOf(const Vec3& impulse, const Vec3& arm, double h) {
   return h * (outer.trace() * Mat3::Identity() - 0.5 * (outer + outer.transpose()));
 }
 
-/// What turns a body too fast: the part of I⁻¹ h² K in the directions x with h² K x = (ω h)² I x
-/// where (ω h)² is above `limit`. It grows from nothing there to all of it from an eighth more on.
-/// Zero if there are none, or if the forces are too large to compute with.
-Mat3 tooFast(const Mat3& inverseInertia, const Mat3& K, double limit) {
+/// A body that turns more slowly.
+struct Slowed {
+  bool isChanged = false;
+  Mat3 inverseInertia;  ///< (I + h² K')⁻¹
+  Mat3 turn;            ///< (I + h² K')⁻¹ I
+};
+
+/// Slows a body in the directions x with h² K x = (ω h)² I x where (ω h)² is above `limit`: there K'
+/// grows from nothing to K until it is above by an eighth. Changes nothing if there are none, or if
+/// the forces are too large to compute with. Searches that find no answer may end with forces of any
+/// size: in these directions all is diagonal, which leaves the inertia positive, and far above what
+/// loads ask for there is no K'.
+Slowed slow(const Mat3& inverseInertia, const Mat3& K, double limit) {
+  // At 60 Hz a link of a metre gets there under a load of 6 million times its mass.
+  constexpr double absurd = 1e6;
   const double ramp = 0.125 * limit;
   Eigen::SelfAdjointEigenSolver<Mat3> solver(inverseInertia);
   const Vec3 root = solver.eigenvalues().cwiseMax(0).cwiseSqrt();
   const Mat3 axes = solver.eigenvectors(), scaled = axes * root.asDiagonal();
   const Mat3 inScale = scaled.transpose() * K * scaled;
-  if (!inScale.allFinite()) return Mat3::Zero();
+  if (!inScale.allFinite()) return {};
   solver.compute(inScale);
-  Vec3 part = Vec3::Zero(), perRoot = Vec3::Zero();
+  Vec3 left = Vec3::Ones(), perRoot = Vec3::Zero();  // left: I / (I + h² K')
   for (int i = 0; i < 3; ++i) {
-    const double square = solver.eigenvalues()[i];
-    part[i] = std::clamp((square - limit) / ramp, 0.0, 1.0) * square;
     if (root[i] > 0) perRoot[i] = 1 / root[i];
+    const double square = solver.eigenvalues()[i];
+    if (square > limit && square <= absurd)
+      left[i] = 1 / (1 + std::min((square - limit) / ramp, 1.0) * square);
   }
-  if (part.isZero(0)) return Mat3::Zero();
-  const Mat3 directions = solver.eigenvectors();
-  return scaled * directions * part.asDiagonal() * directions.transpose() * perRoot.asDiagonal() *
-         axes.transpose();
+  if (left == Vec3::Ones()) return {};
+  const Mat3 directions = scaled * solver.eigenvectors();
+  const Mat3 lost = directions * (Vec3::Ones() - left).asDiagonal() *
+                    solver.eigenvectors().transpose() * perRoot.asDiagonal() * axes.transpose();
+  return {true, directions * left.asDiagonal() * directions.transpose(), Mat3::Identity() - lost};
 }
 
 }  // namespace
@@ -146,16 +158,13 @@ int GeometricStiffness::stiffen(Group& group, const btContactSolverInfo& info, d
   for (std::size_t i = 0; i < group.bodies.size(); ++i) {
     Body& body = group.bodies[i];
     if (!(body.inverseInertia.trace() * stiffness_[i].norm() > limit)) continue;
-    const Mat3 ratio = tooFast(body.inverseInertia, stiffness_[i], limit);
-    if (ratio.isZero(0)) continue;
-    const Mat3 slowed = (Mat3::Identity() + ratio).inverse();
-    if (!slowed.allFinite()) continue;
-    const Mat3 inverse = slowed * body.inverseInertia;
-    body.inverseInertia = 0.5 * (inverse + inverse.transpose());
+    const Slowed slowed = slow(body.inverseInertia, stiffness_[i], limit);
+    if (!slowed.isChanged) continue;
+    body.inverseInertia = slowed.inverseInertia;
     const Vec3 before = group.bodySources[i].before.tail<3>();
     const double share = isSteady ? shareAlong(before.norm() * h) : 0;
     body.velocity.tail<3>() =
-        (share * before + slowed * (body.velocity.tail<3>() - share * before)).eval();
+        (share * before + slowed.turn * (body.velocity.tail<3>() - share * before)).eval();
     ++changed;
   }
   return changed;

@@ -27,7 +27,7 @@ struct Group;
 ///     (I + h² K') ω' = (I + s h² K') ω + h T + moments of the reactions,
 ///
 /// K' being the part of K in these directions. It reaches its full size once (ω h)² is an eighth
-/// above its bound. Springs at rest, s = 0, would stop within a step or two all that turns with its
+/// above its bound; above a million it is zero, since no load asks for that. Springs at rest, s = 0, would stop within a step or two all that turns with its
 /// pulls: a load that whirls on a rod, the links of a track where they meet a wheel. So the springs
 /// turn along with the body, all but a tenth: s = `along`. With less of a rest, taut chains would
 /// tremble for ever, and ropes gain energy. So would those whose links spin: from 0.2 rad a step on

@@ -56,11 +56,13 @@ bool CondensedNewton::setProblem(const Problem& problem, const NaturalMap& map, 
   if (!problem.W.inBodySpace() || 3 * problem.contacts() + ofDisks > most) return false;
   problem_ = &problem;
   map_ = &map;
-  const auto isFit = [&] { return !left_.empty() && static_cast<int>(left_.size()) <= most; };
   divide(problem, r, false);
-  if (isFit()) return true;
+  if (left_.empty()) return false;
+  if (!held_.empty() && static_cast<int>(left_.size()) <= most) return true;
+  const bool areFew = static_cast<int>(left_.size()) <= most;
   divide(problem, r, true);
-  return isFit();
+  if (areFew && !left_.empty()) divide(problem, r, false);
+  return static_cast<int>(left_.size()) <= most;
 }
 
 /// Eliminates E. False if K cannot be factored.
@@ -142,7 +144,10 @@ Descent CondensedNewton::moveOn(const Solution& center, double alpha, double eno
 }
 
 bool CondensedNewton::solve(double tolerance, int budget, Solution& best) {
-  if (!condense(best)) return false;
+  return condense(best) && goOn(tolerance, budget, best);
+}
+
+bool CondensedNewton::goOn(double tolerance, int budget, Solution& best) {
   const auto move = [this](const Solution& center, double alpha, double enough, int steps,
                            Solution& next) { return moveOn(center, alpha, enough, steps, next); };
   const Descent descent =

@@ -28,9 +28,10 @@ namespace delassus {
 /// of C; E has its own α, with which K is factored once.
 class CondensedNewton {
  public:
-  /// Whether this method fits the problem: in body space, and with at least one and at most `most`
-  /// unknowns beside E. If there are more, rows whose `r` is within their bounds
-  /// count as held, too. `map` belongs to the problem; both must outlive `solve`.
+  /// Whether this method fits the problem: in body space, not without contacts and bounds, and with
+  /// at most `most` unknowns beside E. If there are more, rows whose `r` is within their bounds
+  /// count as held, too; and if that leaves nothing beside E, as in a beam whose joints could break,
+  /// they do in any case. `map` belongs to the problem; both must outlive `solve`.
   bool setProblem(const Problem& problem, const NaturalMap& map, const VectorXd& r, int most);
   /// As BlockFactor.
   void setHands(Hands* hands) { motion_.setHands(hands); }
@@ -42,6 +43,8 @@ class CondensedNewton {
   /// Improves best.r, with its u and residual: true if the law is kept. The factor counts as a
   /// region. Steps count as sweeps, which cost about as much.
   bool solve(double tolerance, int budget, Solution& best);
+  /// The same from another start, after `solve`, with the factor of that. It counts no region.
+  bool goOn(double tolerance, int budget, Solution& best);
 
   std::size_t bytes() const {
     return motion_.bytes() + G_.bytes() + steps_.bytes() + next_.bytes() +

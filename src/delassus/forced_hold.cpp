@@ -14,8 +14,9 @@ namespace {
 // which 1/alpha magnifies.
 constexpr double alpha = 3e-8;
 // The ease of friction relative to normal reactions. Piles at rest hardly need friction, and the
-// taller the pile, the smaller this should be; but towers with wedged corners need some.
-constexpr double tangentShare = 0.015;
+// taller the pile, the smaller this should be: a pyramid of 50 rows takes half the steps with the
+// first. But towers with wedged corners need some once they have moved.
+constexpr double tangentShareAtFirst = 0.003, tangentShareLater = 0.015;
 // A reaction outside its cone is moved beyond the wall of a narrower cone that begins a little
 // above the tip. So all reactions lie inside after finitely many steps.
 constexpr double innerShare = 0.6, beyond = 1.6, marginShare = 0.15;
@@ -23,7 +24,7 @@ constexpr double innerShare = 0.6, beyond = 1.6, marginShare = 0.15;
 /// The move of a reaction outside its cone: towards the nearest point of the cone that begins at
 /// `margin` and has `innerShare` of the friction, and beyond that point. Nearest in the norm in
 /// which tangents move with the ease `tangentShare`.
-Vec3 moveInside(const Vec3& r, double mu, double margin) {
+Vec3 moveInside(const Vec3& r, double mu, double margin, double tangentShare) {
   const double root = std::sqrt(tangentShare);
   const Vec3 z(r[0] - margin, r[1] / root, r[2] / root);
   const Vec3 move = beyond * (projectOnCone(z, innerShare * mu / root) - z);
@@ -53,7 +54,7 @@ void ForcedHold<Motion>::setHold(const ActiveSet& set) {
   change_.setZero(r_.size());
   for (int i = 0; i < n; ++i) {
     auto l = l_.segment<3>(3 * i);
-    l.tail<2>() *= problem().friction[i] > 0 ? tangentShare : 0;
+    l.tail<2>() *= problem().friction[i] > 0 ? tangentShare_ : 0;
     if (!isHeld(set, 3 * i)) {
       l.setZero();
       change_.segment<3>(3 * i) = -r_.segment<3>(3 * i);
@@ -89,7 +90,7 @@ double ForcedHold<Motion>::moveAllInside(double demand) {
       change.setZero();
       continue;
     }
-    change = moveInside(r_.segment<3>(at), mu, marginShare * demand / scale_[at]);
+    change = moveInside(r_.segment<3>(at), mu, marginShare * demand / scale_[at], tangentShare_);
     outside += change.cwiseProduct(scale_.segment<3>(at)).squaredNorm();
   }
   change_.tail(rows).setZero();
@@ -175,10 +176,11 @@ template <class Motion>
 bool ForcedHold<Motion>::hold(double tolerance, int budget, Solution& best) {
   r_ = best.r;
   u_ = best.u;
+  const bool startsFromNothing = !r_.any();
+  tangentShare_ = startsFromNothing ? tangentShareAtFirst : tangentShareLater;
   setHold(best.activeSet);
   ++best.regions;
   if (!space_.factorise(best)) return false;
-  const bool startsFromNothing = !r_.any();
   const int end = best.sweeps + budget;
   if (holdOn(tolerance, budget, best)) return true;
   if (startsFromNothing) return false;

@@ -38,6 +38,7 @@ class ForcedHold {
   VectorXd &r_, &u_;
   VectorXd& change_;  ///< r' − r, the next move of r
   VectorXd& measuredU_;
+  double tangentShare_ = 0;  ///< the ease of friction, relative to normal reactions
 };
 
 }  // namespace delassus

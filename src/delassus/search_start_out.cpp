@@ -10,7 +10,9 @@ namespace delassus {
 namespace {
 
 /// The paper's forced motion: all that approach are held, whatever sign their reactions will have.
-void forceActiveSet(const Problem& problem, ActiveSet& set) {
+/// A row with bounds is held unless it would be at one of them if it were alone, r = −q / W_aa: the
+/// rows of a joint that could break are held, and a motor that is too weak gives all it has.
+void forceActiveSet(const Problem& problem, const VectorXd& diagonal, ActiveSet& set) {
   // Bodies that fall together touch with q_n = 0 up to round-off: they are held too.
   const double touching = 1e-6 * problem.demand();
   set.contacts.clear();
@@ -20,17 +22,19 @@ void forceActiveSet(const Problem& problem, ActiveSet& set) {
   for (int i = 0; i < problem.contacts(); ++i)
     set.contacts.push_back(problem.q[3 * i] <= touching ? Mode::Stick : Mode::Open);
   for (int i = 0; i < problem.rows(); ++i) {
-    const double q = problem.q[3 * problem.contacts() + i];
-    set.rows.push_back(q > touching && std::isfinite(problem.lower[i])    ? RowState::AtLower
-                       : q < -touching && std::isfinite(problem.upper[i]) ? RowState::AtUpper
-                                                                          : RowState::Free);
+    const int at = 3 * problem.contacts() + i;
+    const double q = problem.q[at], lower = problem.lower[i], upper = problem.upper[i];
+    set.rows.push_back(q > touching && -q <= lower * diagonal[at]    ? RowState::AtLower
+                       : q < -touching && -q >= upper * diagonal[at] ? RowState::AtUpper
+                                                                     : RowState::Free);
   }
   set.disks.assign(problem.disks.size(), Mode::Stick);
 }
 
 /// The same, and contacts that pressed in the last step are held, too.
-void holdActiveSet(const Problem& problem, const VectorXd& r, ActiveSet& set) {
-  forceActiveSet(problem, set);
+void holdActiveSet(const Problem& problem, const VectorXd& diagonal, const VectorXd& r,
+                   ActiveSet& set) {
+  forceActiveSet(problem, diagonal, set);
   for (int i = 0; i < problem.contacts(); ++i)
     if (r[3 * i] > 0) set.contacts[i] = Mode::Stick;
   for (int i = 0; i < problem.rows(); ++i) {
@@ -74,7 +78,7 @@ Outcome Search::startOut(Engines<Motion>& engines, const Task& task, Solution& b
   held_.residual = infinity;
   if (task.isHurried && holdApart(engines, task, best)) return Outcome::Reached;
   if (!task.guess && !isLargeButNoHeap(*problem_)) {
-    forceActiveSet(*problem_, best.activeSet);
+    forceActiveSet(*problem_, map_.diagonal(), best.activeSet);
     const Outcome outcome = engines.walk.walkFromRegion(task.tolerance, weightForced,
                                                         task.regionsLeft(best, shortWalk), best);
     if (outcome != Outcome::Lost) return outcome;
@@ -130,7 +134,7 @@ template <class Motion>
 bool Search::hold(Engines<Motion>& engines, const Task& task, Solution& best) {
   const int most = task.sweepsLeft(best, mostHolds);
   if (most <= 0 || !mayHold(task, best)) return false;
-  holdActiveSet(*problem_, best.r, best.activeSet);
+  holdActiveSet(*problem_, map_.diagonal(), best.r, best.activeSet);
   return engines.forced.hold(task.tolerance, most, best);
 }
 
@@ -141,7 +145,7 @@ bool Search::holdApart(Engines<Motion>& engines, const Task& task, Solution& bes
   if (!mayHold(task, best)) return false;
   held_.takeReactions(best);
   held_.takeWork(best);
-  holdActiveSet(*problem_, held_.r, held_.activeSet);
+  holdActiveSet(*problem_, map_.diagonal(), held_.r, held_.activeSet);
   const bool isHeld = engines.forced.hold(task.tolerance, mostHolds, held_);
   best.regions = held_.regions;
   best.factorisations = held_.factorisations;
@@ -150,7 +154,9 @@ bool Search::holdApart(Engines<Motion>& engines, const Task& task, Solution& bes
 }
 
 /// Newton's method on the few contacts that are left once joints are eliminated. With a budget of
-/// few sweeps it costs a region and no sweeps, as `hold` does, and is used without joints, too.
+/// few sweeps it costs a region and no sweeps, as `hold` does, and is used without joints, too; it
+/// then also sets out from nothing, since nothing else could take back reactions that are far off,
+/// as those are that set a motor going.
 bool Search::condense(const Task& task, Solution& best) {
   constexpr int few = 60;  // unknowns that joints leave
   const int sweeps = best.sweeps;
@@ -161,7 +167,12 @@ bool Search::condense(const Task& task, Solution& best) {
   const bool isWorthIt = newton.hasHeld() ? task.options.economies.joints
                                           : task.isHurried && problem_->size() <= fewAlone;
   if (!isWorthIt) return false;
-  const bool isReached = newton.solve(task.tolerance, most, best);
+  bool isReached = newton.solve(task.tolerance, most, best);
+  if (!isReached && task.isHurried && task.guess) {
+    setOutApart(nullptr, best);
+    isReached = newton.goOn(task.tolerance, most, apart_);
+    comeBack(isReached ? Outcome::Reached : Outcome::Lost, best);
+  }
   if (task.isHurried) best.sweeps = sweeps;
   return isReached;
 }

@@ -6,6 +6,7 @@
 #include <BulletDynamics/ConstraintSolver/btContactSolverInfo.h>
 #include <gtest/gtest.h>
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
@@ -172,6 +173,33 @@ TEST(GeometricStiffness, HasNoneAboutTheLineOfItsPulls) {
     EXPECT_NEAR(body.inverseInertia(0, 0), inverse(0, 0), 10 * precision * inverse(0, 0));
     EXPECT_NEAR(body.velocity[3], 1, 10 * precision);
   }
+}
+
+// A search that finds no answer may end with forces of any size. (From 1e9 N·s on rounding made
+// inertias negative, and a body left at 6e9 rad/s.)
+TEST(GeometricStiffness, LeavesInertiasPositiveUnderForcesOfAnySize) {
+  for (const double pull : {1e3, 1e6, 1e9, 1e12, 1e15})
+    for (int k = 0; k < 20; ++k) {
+      SCOPED_TRACE(testing::Message() << pull << " N·s, turn " << k);
+      PulledPlate pulled([k](DelassusWorld& world, btRigidBody& body, const btVector3& pivot) {
+        const btVector3 aside(0, btScalar(0.1 * (k % 3)), btScalar(0.1 * (k % 4 - 1)));
+        world.addJoint<btPoint2PointConstraint>(body, pivot + aside);
+      });
+      pulled.pull = pull;
+      pulled.plate.setWorldTransform(
+          btTransform(btQuaternion(btVector3(1, btScalar(k), 2).normalized(), btScalar(0.3 * k)),
+                      pulled.plate.getWorldTransform().getOrigin()));
+      pulled.plate.updateInertiaTensor();
+      const Mat3 own = bullet::toCore(pulled.plate.getInvInertiaTensorWorld());
+      pulled.stiffen();
+      const Mat3& inverse = pulled.group.bodies[0].inverseInertia;
+      const double rounding = 10 * precision * own.norm();
+      const auto leastOf = [](const Mat3& matrix) {
+        return Eigen::SelfAdjointEigenSolver<Mat3>(matrix).eigenvalues().minCoeff();
+      };
+      EXPECT_GE(leastOf(inverse), -1e-15 * own.norm());
+      EXPECT_GE(leastOf(own - inverse), -rounding);
+    }
 }
 
 TEST(GeometricStiffness, IsNeverWithoutNumbers) {

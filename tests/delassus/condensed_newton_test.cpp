@@ -301,6 +301,24 @@ TEST(CondensedNewton, HoldsWhatIsWithinItsBounds) {
   EXPECT_GE(reached, 15);
 }
 
+// Rows that are within their bounds are held where nothing else is, and nothing may be left. One
+// factor then solves all, if the bounds are wide enough; and if not, that is told.
+TEST(CondensedNewton, NothingMayBeLeft) {
+  Random random(218);
+  for (const double bound : {1e-3, 1e3}) {
+    Pile pile = makeChain(12, 0.3, 0.1, 10, random);
+    pile.contacts.clear();
+    for (Row& row : pile.rows) row.lower = -bound, row.upper = bound;
+    const PileIsland chain(pile);
+    EXPECT_TRUE(isFor(chain.problem));
+    const CondensedAttempt attempt = condenseFromRest(chain.problem);
+    EXPECT_EQ(attempt.reached, bound > 1);
+    EXPECT_EQ(attempt.reached, attempt.solution.residual <= attempt.tolerance);
+    EXPECT_EQ(attempt.solution.regions, 1);
+    EXPECT_LE(attempt.solution.residual, attempt.before);
+  }
+}
+
 // The solver takes this method where sweeps would have to pass impulses along a chain body by body;
 // also with few sweeps.
 TEST(CondensedNewton, IsWhereTheSolverBegins) {
