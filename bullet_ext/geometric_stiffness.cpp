@@ -101,12 +101,9 @@ struct Slowed {
 
 /// Slows a body in the directions x with h² K x = (ω h)² I x where (ω h)² is above `limit`: there K'
 /// grows from nothing to K until it is above by an eighth. Changes nothing if there are none, or if
-/// the forces are too large to compute with. Searches that find no answer may end with forces of any
-/// size: in these directions all is diagonal, which leaves the inertia positive, and far above what
-/// loads ask for there is no K'.
+/// the forces are too large to compute with. In these directions all is diagonal, which leaves the
+/// inertia positive, however large the forces are.
 Slowed slow(const Mat3& inverseInertia, const Mat3& K, double limit) {
-  // At 60 Hz a link of a metre gets there under a load of 6 million times its mass.
-  constexpr double absurd = 1e6;
   const double ramp = 0.125 * limit;
   Eigen::SelfAdjointEigenSolver<Mat3> solver(inverseInertia);
   const Vec3 root = solver.eigenvalues().cwiseMax(0).cwiseSqrt();
@@ -118,8 +115,7 @@ Slowed slow(const Mat3& inverseInertia, const Mat3& K, double limit) {
   for (int i = 0; i < 3; ++i) {
     if (root[i] > 0) perRoot[i] = 1 / root[i];
     const double square = solver.eigenvalues()[i];
-    if (square > limit && square <= absurd)
-      left[i] = 1 / (1 + std::min((square - limit) / ramp, 1.0) * square);
+    if (square > limit) left[i] = 1 / (1 + std::min((square - limit) / ramp, 1.0) * square);
   }
   if (left == Vec3::Ones()) return {};
   const Mat3 directions = scaled * solver.eigenvectors();
@@ -160,6 +156,7 @@ int GeometricStiffness::stiffen(Group& group, const btContactSolverInfo& info, d
     if (!(body.inverseInertia.trace() * stiffness_[i].norm() > limit)) continue;
     const Slowed slowed = slow(body.inverseInertia, stiffness_[i], limit);
     if (!slowed.isChanged) continue;
+    group.slowed.push_back({static_cast<int>(i), body.inverseInertia});
     body.inverseInertia = slowed.inverseInertia;
     const Vec3 before = group.bodySources[i].before.tail<3>();
     const double share = isSteady ? shareAlong(before.norm() * h) : 0;

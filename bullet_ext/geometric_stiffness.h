@@ -27,7 +27,7 @@ struct Group;
 ///     (I + h² K') ω' = (I + s h² K') ω + h T + moments of the reactions,
 ///
 /// K' being the part of K in these directions. It reaches its full size once (ω h)² is an eighth
-/// above its bound; above a million it is zero, since no load asks for that. Springs at rest, s = 0, would stop within a step or two all that turns with its
+/// above its bound. Springs at rest, s = 0, would stop within a step or two all that turns with its
 /// pulls: a load that whirls on a rod, the links of a track where they meet a wheel. So the springs
 /// turn along with the body, all but a tenth: s = `along`. With less of a rest, taut chains would
 /// tremble for ever, and ropes gain energy. So would those whose links spin: from 0.2 rad a step on
@@ -41,8 +41,8 @@ class GeometricStiffness {
   /// s, for a body that turns by so much in a step, rad.
   static double shareAlong(double turn);
 
-  /// Changes the inertia and the free velocity of such bodies; call it when all is gathered and
-  /// recalled. The forces are those of the last step (JointSource::lastLoad). The arms are
+  /// Changes the inertia and the free velocity of such bodies, and notes them in Group::slowed; call
+  /// it when all is gathered and recalled. The forces are those of the last step (JointSource::lastLoad). The arms are
   /// those of the joint's pivots or frames, so only Bullet's own kinds of joints count. `lastStep`:
   /// the length of the last step, s; 0 if it is not known. Returns the number of bodies changed.
   int stiffen(Group& group, const btContactSolverInfo& info, double lastStep);
@@ -50,6 +50,8 @@ class GeometricStiffness {
   std::size_t bytes() const { return stiffness_.capacity() * sizeof(Mat3); }
 
  private:
+  double addUp(const Group& group, double h, double most);
+
   std::vector<Mat3> stiffness_;  ///< h² K of each body, kg m²
 };
 

@@ -10,6 +10,7 @@ namespace delassus::bullet {
 void Group::clear() {
   bodies.clear();
   bodySources.clear();
+  slowed.clear();
   contacts.clear();
   contactSources.clear();
   pushes.clear();
@@ -30,10 +31,18 @@ void Group::clear() {
 }
 
 std::size_t Group::bytes() const {
-  return bytesOf(bodies, bodySources, contacts, contactSources, pushes, guess, idle, marks, rows,
-                 arcs, rowGuess, joints, multiBodyRows, asked) +
+  return bytesOf(bodies, bodySources, slowed, contacts, contactSources, pushes, guess, idle, marks,
+                 rows, arcs, rowGuess, joints, multiBodyRows, asked) +
          obsolete.capacity() * sizeof(void*) + indexOf.bytes() + joined.bytes() + loops.bytes() +
          opposed.bytes() + held.bytes() + articulation.bytes();
+}
+
+const Mat3& Group::ownInverseInertia(int body) const {
+  const auto found =
+      std::lower_bound(slowed.begin(), slowed.end(), body,
+                       [](const SlowedBody& candidate, int k) { return candidate.body < k; });
+  return found != slowed.end() && found->body == body ? found->ownInverseInertia
+                                                      : bodies[body].inverseInertia;
 }
 
 const JointSource* jointOf(const Group& group, int row) {

@@ -104,11 +104,18 @@ struct alignas(16) InfoRow {
   btScalar error, cfm, lower, upper;
 };
 
+/// A body that turns as if it had more inertia in this step (geometric_stiffness.h).
+struct SlowedBody {
+  int body;
+  Mat3 ownInverseInertia;
+};
+
 /// One solveGroup call in the core's terms. The order follows Bullet's arrays, never addresses.
 struct Group {
   double h = 0;              ///< the step, s
   std::vector<Body> bodies;  ///< dynamic and kinematic bodies; all others are the fixed world
   std::vector<BodySource> bodySources;
+  std::vector<SlowedBody> slowed;  ///< in the order of their bodies
 
   std::vector<Contact> contacts;
   std::vector<PointSource> contactSources;
@@ -144,6 +151,7 @@ struct Group {
   bool movable(int body) const { return body >= 0 && bodies[body].movable(); }
   /// The radius of the arc along which a row is stated, m; 1 of rows along an axis.
   double arcOf(int row) const { return arcs.empty() ? 1 : arcs[row]; }
+  const Mat3& ownInverseInertia(int body) const;
   bool isLimb(int body) const { return body >= 0 && !bodySources[body].rigid; }
 };
 

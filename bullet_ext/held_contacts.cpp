@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <tuple>
 
 #include "BulletCollision/NarrowPhaseCollision/btPersistentManifold.h"
@@ -53,6 +54,20 @@ struct Ways {
 /// A row is a motor if it may push less than what breaks the joint.
 Ways waysOf(const JointSource& joint, const Row& row) {
   return Ways::of(joint, row, toCoreBound(joint.constraint->getBreakingImpulseThreshold()));
+}
+
+/// The number of rows of a hinge or a slider before those of its own axis, whose limits may lock
+/// it; of other joints that of all.
+int rowsBesideAxis(const btTypedConstraint& joint) {
+  constexpr int ofHinge = 5, ofSlider = 4;
+  switch (joint.getConstraintType()) {
+    case HINGE_CONSTRAINT_TYPE:
+      return ofHinge;
+    case SLIDER_CONSTRAINT_TYPE:
+      return ofSlider;
+    default:
+      return std::numeric_limits<int>::max();
+  }
 }
 
 ImpulseSpan::Impulse impulseOf(const Group& group, const Row& row, bool isDriven) {
@@ -135,13 +150,16 @@ void HeldContacts::collect(const Group& group, double h) {
   const auto rigid = [&](int body) { return isRigid(group, body) ? body : none; };
   for (const JointSource& joint : group.joints) {
     const bool mayDrive = hasUnboundedMotor(*joint.constraint);
+    const int fixedRows = rowsBesideAxis(*joint.constraint);
     for (int k = joint.firstRow; k < joint.firstRow + joint.rowCount; ++k) {
       const Row& row = group.rows[k];
       const Ways ways = waysOf(joint, row);
       const int a = rigid(row.a), b = rigid(row.b);
       if (!ways.any() || (a == none && b == none)) continue;
-      // Hinges and sliders add the speed of a motor to what their limit asks for.
-      holds_.push_back({k, a, b, ways.up, ways.down, mayDrive || ways.up != ways.down});
+      // Limits may drive: hinges and sliders add the speed of a motor to what theirs asks for, and
+      // limits may be moved.
+      const bool isLimit = ways.up != ways.down || k - joint.firstRow >= fixedRows;
+      holds_.push_back({k, a, b, ways.up, ways.down, mayDrive || isLimit});
       if (a != none && b != none) links_.join(a, b);
     }
   }
@@ -171,7 +189,7 @@ void HeldContacts::collectStrongMotors(const Group& group, double h) {
         continue;
       const Ways ways = Ways::of(joint, row, impulseOfWelds(group, row, h));
       if (!ways.any()) continue;
-      holds_.push_back({k, row.a, row.b, ways.up, ways.down, true, number});
+      holds_.push_back({k, row.a, row.b, ways.up, ways.down, true, true, number});
       ++mechanisms_[number].rows;
     }
 }
@@ -193,7 +211,7 @@ bool HeldContacts::mayBeHeld(const Group& group, const Contact& contact) {
 
 void HeldContacts::sortHolds() {
   const auto key = [](const Hold& hold) {
-    return std::make_tuple(hold.mechanism, hold.isLimit(), hold.row);
+    return std::make_tuple(hold.mechanism, hold.isWeak(), hold.row);
   };
   std::sort(holds_.begin(), holds_.end(),
             [&](const Hold& x, const Hold& y) { return key(x) < key(y); });
@@ -206,14 +224,14 @@ void HeldContacts::sortHolds() {
   spansUsed_ = 0;
 }
 
-/// The span of the rows that hold both ways.
+/// The span of the rows that are not weak.
 ImpulseSpan& HeldContacts::spanOf(const Group& group, Mechanism& mechanism) {
   if (mechanism.span == none) {
     mechanism.span = spansUsed_++;
     if (spansUsed_ > static_cast<int>(spans_.size())) spans_.emplace_back();
     ImpulseSpan& span = spans_[mechanism.span];
     span.truncate(0);
-    for (int k = mechanism.begin; k < mechanism.end && !holds_[k].isLimit(); ++k)
+    for (int k = mechanism.begin; k < mechanism.end && !holds_[k].isWeak(); ++k)
       extend(group, holds_[k], impulseOf(group, group.rows[holds_[k].row], holds_[k].isDriven),
              span);
   }
@@ -232,31 +250,31 @@ double HeldContacts::extend(const Group& group, const Hold& hold, const Impulse&
   return std::sqrt(left);
 }
 
-/// The part of (push, push) that the mechanism takes up: by rows that hold both ways, or also by
+/// The part of (push, push) that the mechanism takes up: by joints, or also by motors, or also by
 /// limits that the push would cross and that `step` of it reaches in this step, each tried once, in
 /// their order. Adds to `apart` the speed at which these ask the contact to part.
-double HeldContacts::takenUp(const Group& group, const Impulse& push, Mechanism& mechanism,
-                             bool withLimits, double step, Wanted& apart) {
+double HeldContacts::takenUp(const Group& group, const Impulse& push, Mechanism& mechanism, By by,
+                             double step, Wanted& apart) {
   ImpulseSpan& span = spanOf(group, mechanism);
   span.coordinates(group.bodies, push, ofPush_);
-  if (!withLimits) {
+  if (by == By::Joints) {
     apart.add(span.wantedAlong(ofPush_));
     return squaresOf(ofPush_);
   }
   const int size = span.size();
   for (int k = mechanism.begin; k < mechanism.end; ++k) {
     const Hold& hold = holds_[k];
-    if (!hold.isLimit()) continue;
+    if (!(by == By::Limits ? hold.isWeak() : hold.isMotor)) continue;
     const Row& row = group.rows[hold.row];
     const Impulse impulse = impulseOf(group, row, hold.isDriven);
     double along = ImpulseSpan::product(group.bodies, impulse, push);
     // Some joints have rows for limits that are far away.
     const double reached = relativeVelocity(group.bodies, row) + step * along;
-    if (hold.up ? reached > 0 : reached < 0) continue;
+    if (hold.isLimit() && (hold.up ? reached > 0 : reached < 0)) continue;
     const double itself = extend(group, hold, impulse, span);
     if (itself == 0) continue;
     for (std::size_t j = 0; j < ofRow_.size(); ++j) along -= ofRow_[j] * ofPush_[j];
-    if (hold.up ? along < 0 : along > 0)
+    if (!hold.isLimit() || (hold.up ? along < 0 : along > 0))
       ofPush_.push_back(along / itself);
     else
       span.truncate(span.size() - 1);
@@ -267,14 +285,14 @@ double HeldContacts::takenUp(const Group& group, const Impulse& push, Mechanism&
 }
 
 /// The part of (push, push) that the joints of its bodies leave.
-double HeldContacts::leftOf(const Group& group, const Impulse& push, bool withLimits, double step,
+double HeldContacts::leftOf(const Group& group, const Impulse& push, By by, double step,
                             Wanted& apart) {
   double left = ImpulseSpan::product(group.bodies, push, push);
   int first = none;
   for (const int body : {push.a, push.b}) {
     if (body == none) continue;
     const int number = narrowed_ != none ? narrowed_ : mechanismOf(body);
-    if (number != first) left -= takenUp(group, push, mechanisms_[number], withLimits, step, apart);
+    if (number != first) left -= takenUp(group, push, mechanisms_[number], by, step, apart);
     first = number;
   }
   return left;
@@ -287,7 +305,7 @@ bool HeldContacts::grazes(const Group& group, const Contact& contact) {
   const auto left = [&](bool ofA, int axis) {
     Impulse push = impulseOf(group, contact, axis);
     (ofA ? push.b : push.a) = none;
-    return leftOf(group, push, false, 0, apart);
+    return leftOf(group, push, By::Joints, 0, apart);
   };
   const auto grazesAlone = [&](bool ofA) {
     const double along = left(ofA, 0);
@@ -306,28 +324,29 @@ HeldContacts::Held HeldContacts::judge(const Group& group, const Contact& contac
   Vec3 standing = Vec3::Zero();
   if (push.a == none) standing += velocityAt(group.bodies, contact.a, contact.armA);
   if (push.b == none) standing -= velocityAt(group.bodies, contact.b, contact.armB);
-  // Joints mend their errors, which decays; what drives on lets the overlap grow. Normals lean.
+  // Joints mend their errors, which decays. Normals lean. What drives on lets the overlap grow.
   const double arm = longerArm(group, contact);
   const bool isWithin = isWithinOne(group, contact);
   narrowed_ = none;
   if (isWithin && isLarge(mechanismOf(contact.a))) {
+    if (!(overlap > fits * arm)) return Held::No;
     narrowed_ = wayBetween(contact.a, contact.b);
     if (narrowed_ == none) return Held::No;
   }
-  const double deep = isWithin ? 1 : std::max(1.0, overlap / (play * arm));
-  const double harmless =
-      standing.isZero(0) ? still * arm / (h * deep * deep) : std::sqrt(share) * standing.norm();
+  const double harmless = standing.isZero(0) ? still * arm / h : std::sqrt(share) * standing.norm();
+  const double deep = std::max(1.0, overlap / (play * arm));
   const double size = ImpulseSpan::product(group.bodies, push, push);
   const double step = size > 0 ? std::max(asked, 0.0) / size : 0;
-  for (const bool withLimits : {false, true}) {
+  for (const By by : {By::Joints, By::Motors, By::Limits}) {
     const double driven = contact.frame.col(0).dot(standing);
     Wanted wanted{driven, driven};
-    const bool isHeld = leftOf(group, push, withLimits, step, wanted) <= share * size;
-    if (!isHeld && (withLimits || !grazes(group, contact))) continue;
+    const bool isHeld = leftOf(group, push, by, step, wanted) <= share * size;
+    if (!isHeld && (by != By::Joints || !grazes(group, contact))) continue;
     apart = wanted.all;
-    if ((isWithin ? wanted.ofDrives : wanted.all) < -harmless) return Held::No;
+    if (wanted.ofDrives < -harmless / (deep * deep)) return Held::No;
+    if (!isWithin && wanted.all < -harmless) return Held::No;
     if (!isHeld) return Held::Grazing;
-    if (withLimits) return Held::ByLimit;
+    if (by != By::Joints) return by == By::Limits ? Held::ByLimit : Held::ByMotor;
     return isWhollyHeld(group, contact) ? Held::Wholly : Held::Along;
   }
   return Held::No;
@@ -342,7 +361,7 @@ bool HeldContacts::isWithinOne(const Group& group, const Contact& contact) {
 bool HeldContacts::isWhollyHeld(const Group& group, const Contact& contact) {
   Wanted apart;
   const auto isHeld = [&](const Impulse& push) {
-    return leftOf(group, push, false, 0, apart) <=
+    return leftOf(group, push, By::Joints, 0, apart) <=
            share * ImpulseSpan::product(group.bodies, push, push);
   };
   for (const int axis : {1, 2})
@@ -379,12 +398,12 @@ int HeldContacts::soften(Group& group, const btContactSolverInfo& info) {
     if (held == Held::ByLimit)
       asked += push;
     else
-      asked = std::min(asked, held == Held::Wholly ? apart : 0);
+      asked = std::min(asked, held == Held::Along ? 0 : apart);
     push = 0;
     if (held == Held::Wholly && !isWithinOne(group, contact)) continue;
-    const double give = held == Held::Along    ? softness
-                        : held == Held::Wholly ? loopSoftness
-                                               : joinedSoftness;
+    const double give = held == Held::Along     ? softness
+                        : held == Held::ByLimit ? joinedSoftness
+                                                : loopSoftness;
     contact.compliance = std::max(contact.compliance, give * lesserResponse(group, contact));
   }
   return count;

@@ -31,6 +31,8 @@ struct Group;
 ///     and shares the load with them. Between links of one mechanism it gives by loopSoftness, as
 ///     joints that close a loop: rigid ones would squeeze each other by what rounding asks for, and
 ///     friction, which acts on two surfaces that overlap, would spin the mechanism.
+///   - Only motors block it that are as strong as welds, but may have to bear more than they can: the
+///     contact asks for no more than the joints do, gives by loopSoftness, and bears the rest.
 ///   - Only a limit blocks it that the bodies reach in this step: they can go the other way. The
 ///     contact gives by joinedSoftness and is not split, as contacts of bodies that a joint links.
 ///
@@ -39,17 +41,17 @@ struct Group;
 /// corners of a door that fits its frame exactly pass the frame, as rigid ones would not.
 ///
 /// A contact is not held where something drives the bodies together: anything kinematic, or the
-/// joints themselves. As joints mend their errors, they may do so by `still` of the arm a step;
-/// where a mechanism overlaps another one or a body at rest by more than `play`, by less the deeper
-/// it is. So a servo does not press its arm through a table, however slowly it moves, and a weld
-/// breaks in a press. Between links of one mechanism only drives count: errors, as of links that a
-/// blow has pulled apart, end where the links fit together, and a contact that resisted would keep
-/// them apart for ever.
+/// joints themselves. As joints mend their errors, they may do so by `still` of the arm a step. The
+/// deeper the bodies overlap, beyond `play`, the less may drives do so: so a servo does not press
+/// its arm through a table, however slowly it moves, and a weld breaks in a press. Between links of
+/// one mechanism errors do not count, as of links that a blow has pulled apart: they end where the
+/// links fit together, and a contact that resisted would keep them apart for ever.
 ///
 /// The joints that count are those of the mechanisms of the two bodies, if both mechanisms are
 /// fixed to the world or are the same one. Of a mechanism of more than `mostRows` rows only those
 /// count that are on a way between the two bodies, if these are no more and leave fewer than six
-/// motions.
+/// motions; and only contacts whose bodies overlap by more than `fits` of the arm: what just touches,
+/// as the bricks of a welded wall, fits together as it is.
 /// Springs hold nothing, nor do motors, unless they may push without bounds. In a mechanism that is
 /// not fixed to the world, and so bears little beside its own weight, a motor also holds that could
 /// turn its bodies within the step by a radian, or move them by their radius of gyration.
@@ -62,29 +64,33 @@ class HeldContacts {
   /// In float normals lean by more.
   static constexpr double share = sizeof(btScalar) == sizeof(double) ? 5e-5 : 5e-4;
   static constexpr double shareOfGrazing = 5e-3, play = 2.5e-3;
-  static constexpr double softness = 1, still = 2e-4;
-  static constexpr int mostRows = 256;
+  static constexpr double softness = 1, still = 2e-4, fits = 1e-4;
+  static constexpr int mostRows = 64;
 
   std::size_t bytes() const;
 
  private:
   using Impulse = ImpulseSpan::Impulse;
   using Wanted = ImpulseSpan::Wanted;
-  enum class Held { No, Grazing, ByLimit, Along, Wholly };
+  enum class Held { No, Grazing, ByLimit, ByMotor, Along, Wholly };
+  /// By what an impulse is taken up: joints, also motors, also limits.
+  enum class By { Joints, Motors, Limits };
   /// A row that holds.
   struct Hold {
     int row, a, b;  ///< the row and its bodies that can move; −1: none
     bool up, down;  ///< whether its reaction may be as large as need be, and as negative
     bool isDriven;  ///< what it asks for may be a drive's, and no error that it mends
+    bool isMotor = false;
     int mechanism = -1;
     bool isLimit() const { return up != down; }
+    bool isWeak() const { return isLimit() || isMotor; }
   };
   /// Bodies that such rows link.
   struct Mechanism {
     int rows = 0;
     bool stands = false;     ///< also held to bodies that do not move
-    int begin = 0, end = 0;  ///< among holds_, limits last
-    int span = -1;           ///< among spans_: of rows that hold both ways; −1: not computed
+    int begin = 0, end = 0;  ///< among holds_, weak ones last
+    int span = -1;           ///< among spans_: of rows that are not weak; −1: not computed
   };
   void collect(const Group& group, double h);
   void collectStrongMotors(const Group& group, double h);
@@ -97,10 +103,9 @@ class HeldContacts {
   void sortHolds();
   ImpulseSpan& spanOf(const Group& group, Mechanism& mechanism);
   double extend(const Group& group, const Hold& hold, const Impulse& impulse, ImpulseSpan& span);
-  double takenUp(const Group& group, const Impulse& push, Mechanism& mechanism, bool withLimits,
-                 double step, Wanted& apart);
-  double leftOf(const Group& group, const Impulse& push, bool withLimits, double step,
-                Wanted& apart);
+  double takenUp(const Group& group, const Impulse& push, Mechanism& mechanism, By by, double step,
+                 Wanted& apart);
+  double leftOf(const Group& group, const Impulse& push, By by, double step, Wanted& apart);
   bool grazes(const Group& group, const Contact& contact);
   Held judge(const Group& group, const Contact& contact, double asked, double overlap, double h,
              double& apart);

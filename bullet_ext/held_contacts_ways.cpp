@@ -50,7 +50,7 @@ int HeldContacts::wayBetween(int a, int b) {
     int leftHere = motions;
     eachHold(i, [&](int k) {
       ++rows;
-      leftHere -= !holds_[k].isLimit();
+      leftHere -= !holds_[k].isWeak();
     });
     left += std::max(leftHere, 0);
   }
@@ -58,10 +58,10 @@ int HeldContacts::wayBetween(int a, int b) {
   Mechanism way;
   way.rows = rows;
   way.begin = static_cast<int>(holds_.size());
-  for (const bool areLimits : {false, true})
+  for (const bool areWeak : {false, true})
     for (std::size_t i = 1; i < bodies.size(); ++i)
       eachHold(i, [&](int k) {
-        if (const Hold hold = holds_[k]; hold.isLimit() == areLimits) holds_.push_back(hold);
+        if (const Hold hold = holds_[k]; hold.isWeak() == areWeak) holds_.push_back(hold);
       });
   way.end = static_cast<int>(holds_.size());
   way_ = static_cast<int>(mechanisms_.size());

@@ -150,7 +150,7 @@ const Problem& recoveryProblem(const Group& group, const Island& island, Bench& 
 void recover(const Group& group, const Island& island, const VectorXd& r, Bench& bench) {
   std::vector<Body>& bodies = bench.softBodies;
   applyReaction(bodies, bench.softContacts, bench.softRows, island, r);
-  const double energy = energyOf(island, bodies), atHand = energyAtHand(group, island);
+  const double energy = energyOf(group, island, bodies), atHand = energyAtHand(group, island);
   if (energy <= atHand) return;
   const double share = std::sqrt(atHand / energy);
   for (const int body : island.bodies) bodies[body].velocity *= share;

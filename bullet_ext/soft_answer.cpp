@@ -103,7 +103,7 @@ bool throwsBodies(const Group& group, const Island& island, Bench& bench) {
   bodies.resize(group.bodies.size());
   for (const int body : island.bodies) bodies[body] = group.bodies[body];
   applyReaction(bodies, group.contacts, group.rows, island, bench.trial.r);
-  return energyOf(island, bodies) > times * energyAtHand(group, island);
+  return energyOf(group, island, bodies) > times * energyAtHand(group, island);
 }
 
 /// The energy that contacts take up as they give, J; less what the residual of their law leaves

@@ -63,80 +63,55 @@ double breakingImpulseOf(const Group& group, int row) {
 /// The largest impulse that may push the row up, or down.
 double boundOf(const Row& row, bool up) { return up ? row.upper : -row.lower; }
 
-/// Whether the two rows push the same bodies in the same way, as a motor and the limits of its axis.
-bool isSameAxis(const Row& row, const Row& other) {
-  return row.governor < 0 && other.governor < 0 && row.a == other.a && row.b == other.b &&
-         row.jacobianA == other.jacobianA && row.jacobianB == other.jacobianB;
-}
-
 /// The work that is done to the bodies of an island, J.
 struct Hold {
   double work = 0;   ///< r (u + u⁺)/2 of all that holds
   double asked = 0;  ///< r·target of all that holds
   double alone = 0;  ///< ½ target²/W_ii: the work, if each target were met alone
-  double drive = 0;  ///< work of what drives joints; none of what brakes them
+  double drive = 0;  ///< work of what drives joints
+  double brake = 0;  ///< what drives take up, as a motor whose arm is pushed back
 };
 /// All zero where no joint holds, whatever contacts do.
 Hold holdOf(const Group& group, const std::vector<Contact>& contacts, const std::vector<Row>& rows,
             const Island& island, const Problem& problem, const Solution& solution) {
   const VectorXd &r = solution.r, &compliance = problem.W.bodySpace().compliance;
   Hold sum;
-  const auto speedOf = [&](int at, double target) {  // the mean of those before and after
-    return 0.5 * (problem.q[at] + solution.u[at] - compliance[at] * r[at]) + target;
+  const auto workOf = [&](int at, double target) {
+    return r[at] * (0.5 * (problem.q[at] + solution.u[at] - compliance[at] * r[at]) + target);
   };
-  const auto workOf = [&](int at, double target) { return r[at] * speedOf(at, target); };
-  const auto add = [&](int at, double push, double target, double response) {
-    sum.work += push * speedOf(at, target);
-    if (!(push * target > 0) || !(response > 0)) return;
-    sum.asked += push * target;
+  const auto add = [&](int at, double target, double response) {
+    sum.work += workOf(at, target);
+    if (!(r[at] * target > 0) || !(response > 0)) return;
+    sum.asked += r[at] * target;
     sum.alone += 0.5 * target * target / response;
   };
-  // Of what drives: more than that only comes to it from what throws.
+  // Of what drives or brakes: more than that only comes to it from what throws.
   const auto aloneOf = [&](int at, const Row& row) {
     return std::abs(r[at] * (problem.q[at] + row.target)) +
            0.5 * r[at] * r[at] * diagonal(group.bodies, row);
   };
   bool jointsHold = false;
   const auto contactsEnd = static_cast<int>(r.size() - island.rows.size());
-  const auto count = static_cast<int>(island.rows.size());
-  const auto isDrive = [&](int i) {
-    const double reaction = r[contactsEnd + i];
-    const bool up = reaction > 0;
-    return std::abs(reaction) >= boundOf(rows[island.rows[i]], up) ||
-           drives(group, island.rows[i], up);
-  };
-  // What a limit pushes against the motor of its own axis moves nothing.
-  const auto pushOf = [&](int i) {
-    double push = r[contactsEnd + i];
-    const auto lessen = [&](int k) {
-      const double other = r[contactsEnd + k];
-      if (!(push * other < 0) || !isDrive(k)) return;
-      push = push > 0 ? std::max(push + other, 0.0) : std::min(push + other, 0.0);
-    };
-    const auto isOfItsAxis = [&](int k) {
-      return k >= 0 && k < count && isSameAxis(rows[island.rows[i]], rows[island.rows[k]]);
-    };
-    for (int k = i - 1; isOfItsAxis(k); --k) lessen(k);
-    for (int k = i + 1; isOfItsAxis(k); ++k) lessen(k);
-    return push;
-  };
-  for (int i = 0; i < count; ++i) {
-    const int at = contactsEnd + i;
+  for (std::size_t i = 0; i < island.rows.size(); ++i) {
+    const int at = contactsEnd + static_cast<int>(i);
     const Row& row = rows[island.rows[i]];
     if (row.governor >= 0 || r[at] == 0) continue;
-    if (isDrive(i)) {
-      sum.drive += std::min(std::max(workOf(at, row.target), 0.0), aloneOf(at, row));
+    const bool up = r[at] > 0;
+    if (std::abs(r[at]) >= boundOf(row, up) || drives(group, island.rows[i], up)) {
+      const double work = workOf(at, row.target), most = aloneOf(at, row);
+      sum.drive += std::clamp(work, 0.0, most);
+      sum.brake += std::clamp(-work, 0.0, most);
       continue;
     }
-    add(at, pushOf(i), row.target, diagonal(group.bodies, row));
+    add(at, row.target, diagonal(group.bodies, row));
     jointsHold = true;
   }
   if (!jointsHold) return {};
 
   int at = 0;
   const auto addContact = [&](const Contact& c, int unknowns) {
-    for (int axis = 0; axis < unknowns; ++axis, ++at)
-      add(at, r[at], c.target[axis], diagonal(group.bodies, c, axis));
+    for (int axis = 0; axis < unknowns; ++axis)
+      add(at++, c.target[axis], diagonal(group.bodies, c, axis));
   };
   for (const int k : island.frictional) addContact(contacts[k], 3);
   for (const int k : island.frictionless) addContact(contacts[k], 1);
@@ -200,22 +175,25 @@ TargetWork workOfTargets(const Group& group, const std::vector<Contact>& contact
   const Hold hold = holdOf(group, contacts, rows, island, problem, solution);
   constexpr double ofEnergy = 0.25;
   TargetWork work;
-  // Without rounding the work would be no more than what is asked for.
-  work.done = std::min(hold.work, hold.asked);
+  // Without rounding the work would be no more than what is asked for. What a motor or a spring
+  // takes up at the same time throws nothing: it is pushed back.
+  work.done = std::min(hold.work, hold.asked) - hold.brake;
   work.fair = hold.alone + hold.drive;
   work.allowed = timesAlone * hold.alone + 2 * hold.drive;
   if (work.done <= work.allowed) return work;  // as most do: the energy is expensive
   const double forces = 2 * workOfForces(group, island);
   work.fair += forces;
-  work.allowed = std::max(work.allowed, ofEnergy * energyOf(island, group.bodies) + forces);
+  work.allowed = std::max(work.allowed, ofEnergy * energyOf(group, island, group.bodies) + forces);
   return work;
 }
 
-double energyOf(const Island& island, const std::vector<Body>& bodies, double leastSpeed) {
+double energyOf(const Group& group, const Island& island, const std::vector<Body>& bodies,
+                double leastSpeed) {
   double sum = 0;
   for (const int k : island.bodies) {
     const Body& body = bodies[k];
-    const Mat3 inertia = body.inverseInertia.completeOrthogonalDecomposition().pseudoInverse();
+    const Mat3 inertia =
+        group.ownInverseInertia(k).completeOrthogonalDecomposition().pseudoInverse();
     const Vec3 turn = body.velocity.tail<3>();
     sum += 0.5 * turn.dot(inertia * turn);
     const double inverse = body.inverseMass.maxCoeff();
@@ -270,7 +248,7 @@ double energyAtHand(const Group& group, const Island& island) {
   for (const int k : island.rows)
     if (const Row& row = group.rows[k]; row.governor < 0 && !turns(row))
       drive = std::max(drive, std::abs(row.target));
-  return energyOf(island, group.bodies, drive + askedByTurns(group, island));
+  return energyOf(group, island, group.bodies, drive + askedByTurns(group, island));
 }
 
 void soften(const std::vector<Body>& bodies, Contact& contact, double share) {

@@ -69,8 +69,9 @@ bool mayBeSqueezed(const Group& group, const Island& island);
 /// Whether the body may not go or turn about an axis.
 bool hasLockedAxis(const Body& body);
 /// The energy of the island's bodies, J, if each that may leave its place went at least so fast.
-/// They turn about the axes about which they may turn.
-double energyOf(const Island& island, const std::vector<Body>& bodies, double leastSpeed = 0);
+/// They turn about the axes about which they may turn, with their own inertia.
+double energyOf(const Group& group, const Island& island, const std::vector<Body>& bodies,
+                double leastSpeed = 0);
 /// The energy that the bodies of the island would have, J, if each went at least as fast as what
 /// drives there: bodies that do not give way, targets of contacts and joints.
 double energyAtHand(const Group& group, const Island& island);
