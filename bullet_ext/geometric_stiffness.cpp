@@ -99,10 +99,11 @@ struct Slowed {
   Mat3 turn;            ///< (I + h² K')⁻¹ I
 };
 
-/// Slows a body in the directions x with h² K x = (ω h)² I x where (ω h)² is above `limit`: there K'
-/// grows from nothing to K until it is above by an eighth. Changes nothing if there are none, or if
-/// the forces are too large to compute with. In these directions all is diagonal, which leaves the
-/// inertia positive, however large the forces are.
+/// Slows a body in the directions x with h² K x = (ω h)² I x where (ω h)² is above `limit`: there
+/// K' grows from nothing to K until it is above by an eighth. Changes nothing if there are none, or
+/// if the forces are too large to compute with. In these directions all is diagonal, which leaves
+/// the inertia positive, however large the forces are: searches that find no answer may end with
+/// any.
 Slowed slow(const Mat3& inverseInertia, const Mat3& K, double limit) {
   const double ramp = 0.125 * limit;
   Eigen::SelfAdjointEigenSolver<Mat3> solver(inverseInertia);

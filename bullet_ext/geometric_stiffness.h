@@ -41,17 +41,16 @@ class GeometricStiffness {
   /// s, for a body that turns by so much in a step, rad.
   static double shareAlong(double turn);
 
-  /// Changes the inertia and the free velocity of such bodies, and notes them in Group::slowed; call
-  /// it when all is gathered and recalled. The forces are those of the last step (JointSource::lastLoad). The arms are
-  /// those of the joint's pivots or frames, so only Bullet's own kinds of joints count. `lastStep`:
-  /// the length of the last step, s; 0 if it is not known. Returns the number of bodies changed.
+  /// Changes the inertia and the free velocity of such bodies, and notes them in Group::slowed.
+  /// Call it when all is gathered and recalled. The forces are those of the last step
+  /// (JointSource::lastLoad). The arms are those of the joint's pivots or frames, so only Bullet's
+  /// own kinds of joints count. `lastStep`: the length of the last step, s; 0 if it is not known.
+  /// Returns the number of bodies changed.
   int stiffen(Group& group, const btContactSolverInfo& info, double lastStep);
 
   std::size_t bytes() const { return stiffness_.capacity() * sizeof(Mat3); }
 
  private:
-  double addUp(const Group& group, double h, double most);
-
   std::vector<Mat3> stiffness_;  ///< h² K of each body, kg m²
 };
 

@@ -31,8 +31,8 @@ struct Group;
 ///     and shares the load with them. Between links of one mechanism it gives by loopSoftness, as
 ///     joints that close a loop: rigid ones would squeeze each other by what rounding asks for, and
 ///     friction, which acts on two surfaces that overlap, would spin the mechanism.
-///   - Only motors block it that are as strong as welds, but may have to bear more than they can: the
-///     contact asks for no more than the joints do, gives by loopSoftness, and bears the rest.
+///   - Only motors block it that are as strong as welds, but may have to bear more than they can:
+///     the contact asks for no more than the joints do, gives by loopSoftness, and bears the rest.
 ///   - Only a limit blocks it that the bodies reach in this step: they can go the other way. The
 ///     contact gives by joinedSoftness and is not split, as contacts of bodies that a joint links.
 ///
@@ -50,9 +50,8 @@ struct Group;
 /// The joints that count are those of the mechanisms of the two bodies, if both mechanisms are
 /// fixed to the world or are the same one. Of a mechanism of more than `mostRows` rows only those
 /// count that are on a way between the two bodies, if these are no more and leave fewer than six
-/// motions; and only contacts whose bodies overlap by more than `fits` of the arm: what just touches,
-/// as the bricks of a welded wall, fits together as it is.
-/// Springs hold nothing, nor do motors, unless they may push without bounds. In a mechanism that is
+/// motions; and only contacts whose bodies overlap by more than `fits` of the arm: what just
+/// touches, as the bricks of a welded wall, fits together as it is. Springs hold nothing, nor do motors, unless they may push without bounds. In a mechanism that is
 /// not fixed to the world, and so bears little beside its own weight, a motor also holds that could
 /// turn its bodies within the step by a radian, or move them by their radius of gyration.
 class HeldContacts {

@@ -30,8 +30,8 @@ class CondensedNewton {
  public:
   /// Whether this method fits the problem: in body space, not without contacts and bounds, and with
   /// at most `most` unknowns beside E. If there are more, rows whose `r` is within their bounds
-  /// count as held, too; and if that leaves nothing beside E, as in a beam whose joints could break,
-  /// they do in any case. `map` belongs to the problem; both must outlive `solve`.
+  /// count as held, too; and if that leaves nothing beside E, as in a beam whose joints could
+  /// break, they do in any case. `map` belongs to the problem; both must outlive `solve`.
   bool setProblem(const Problem& problem, const NaturalMap& map, const VectorXd& r, int most);
   /// As BlockFactor.
   void setHands(Hands* hands) { motion_.setHands(hands); }

@@ -154,9 +154,9 @@ bool Search::holdApart(Engines<Motion>& engines, const Task& task, Solution& bes
 }
 
 /// Newton's method on the few contacts that are left once joints are eliminated. With a budget of
-/// few sweeps it costs a region and no sweeps, as `hold` does, and is used without joints, too; with
-/// joints it then also sets out from nothing, since nothing else could take back reactions that are
-/// far off, as those are that set a motor going.
+/// few sweeps it costs a region and no sweeps, as `hold` does, and is used without joints, too;
+/// with joints it then also sets out from nothing, since nothing else could take back reactions
+/// that are far off, as those are that set a motor going.
 bool Search::condense(const Task& task, Solution& best) {
   constexpr int few = 60;  // unknowns that joints leave
   const int sweeps = best.sweeps;

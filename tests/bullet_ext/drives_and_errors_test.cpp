@@ -23,8 +23,8 @@ int notSolved(DelassusWorld& world) {
   return report.incompatible + report.outOfBudget + report.softened;
 }
 
-// A door that is deep in the floor, and leans a little from its normal: as it turns, its hinge mends
-// errors that have a part along the normal. (They were taken for a servo's, and locked the door.)
+// A door that is deep in the floor, and leans a little from its normal: as it turns, its hinge
+// mends errors that have a part along the normal. (They were taken for a servo's, and locked it.)
 TEST(DrivesAndErrors, ADoorThatLeansTurns) {
   for (const double lean : {0.0, 0.05, 0.2})  // degrees
     for (const double deep : {0.01, 0.06, 0.2}) {
