@@ -51,9 +51,10 @@ struct Group;
 /// fixed to the world or are the same one. Of a mechanism of more than `mostRows` rows only those
 /// count that are on a way between the two bodies, if these are no more and leave fewer than six
 /// motions; and only contacts whose bodies overlap by more than `fits` of the arm: what just
-/// touches, as the bricks of a welded wall, fits together as it is. Springs hold nothing, nor do motors, unless they may push without bounds. In a mechanism that is
-/// not fixed to the world, and so bears little beside its own weight, a motor also holds that could
-/// turn its bodies within the step by a radian, or move them by their radius of gyration.
+/// touches, as the bricks of a welded wall, fits together as it is. Springs hold nothing, nor do
+/// motors, unless they may push without bounds. In a mechanism that is not fixed to the world, and
+/// so bears little beside its own weight, a motor also holds that could turn its bodies within the
+/// step by a radian, or move them by their radius of gyration.
 class HeldContacts {
  public:
   /// Call it when contacts and joints are gathered. Returns the number of contacts held, those that
