@@ -205,7 +205,9 @@ bool HeldContacts::mayBeHeld(const Group& group, const Contact& contact) {
   const int a = movesA ? mechanismOf(contact.a) : none, b = movesB ? mechanismOf(contact.b) : none;
   if ((movesA && a == none) || (movesB && b == none)) return false;
   if (movesA && a == b) return true;
-  const auto stands = [&](int number) { return mechanisms_[number].stands && !isLarge(number); };
+  const auto stands = [&](int number) {
+    return mechanisms_[number].stands && !hasMore(number, fewRows);
+  };
   return (movesA || movesB) && (!movesA || stands(a)) && (!movesB || stands(b));
 }
 
@@ -328,10 +330,13 @@ HeldContacts::Held HeldContacts::judge(const Group& group, const Contact& contac
   const double arm = longerArm(group, contact);
   const bool isWithin = isWithinOne(group, contact);
   narrowed_ = none;
-  if (isWithin && isLarge(mechanismOf(contact.a))) {
-    if (!(overlap > fits * arm)) return Held::No;
-    narrowed_ = wayBetween(contact.a, contact.b);
-    if (narrowed_ == none) return Held::No;
+  if (isWithin) {
+    const int number = mechanismOf(contact.a);
+    if (hasMore(number, fewRows) && !(overlap > fits * arm)) return Held::No;
+    if (hasMore(number, mostRows)) {
+      narrowed_ = wayBetween(contact.a, contact.b);
+      if (narrowed_ == none) return Held::No;
+    }
   }
   const double harmless = standing.isZero(0) ? still * arm / h : std::sqrt(share) * standing.norm();
   const double deep = std::max(1.0, overlap / (play * arm));

@@ -48,13 +48,14 @@ struct Group;
 /// links fit together, and a contact that resisted would keep them apart for ever.
 ///
 /// The joints that count are those of the mechanisms of the two bodies, if both mechanisms are
-/// fixed to the world or are the same one. Of a mechanism of more than `mostRows` rows only those
-/// count that are on a way between the two bodies, if these are no more and leave fewer than six
-/// motions; and only contacts whose bodies overlap by more than `fits` of the arm: what just
-/// touches, as the bricks of a welded wall, fits together as it is. Springs hold nothing, nor do
-/// motors, unless they may push without bounds. In a mechanism that is not fixed to the world, and
-/// so bears little beside its own weight, a motor also holds that could turn its bodies within the
-/// step by a radian, or move them by their radius of gyration.
+/// fixed to the world or are the same one. Of a mechanism of more than `fewRows` rows only contacts
+/// between its own links count whose bodies overlap by more than `fits` of the arm: what just
+/// touches, as the bricks of a welded wall, fits together as it is. Of one of more than `mostRows`
+/// rows only those rows count that are on a way between the two bodies, if these are no more and
+/// leave fewer than six motions. Springs hold nothing, nor do motors, unless they may push without
+/// bounds. In a mechanism that is not fixed to the world, and so bears little beside its own
+/// weight, a motor also holds that could turn its bodies within the step by a radian, or move them
+/// by their radius of gyration.
 class HeldContacts {
  public:
   /// Call it when contacts and joints are gathered. Returns the number of contacts held, those that
@@ -65,7 +66,7 @@ class HeldContacts {
   static constexpr double share = sizeof(btScalar) == sizeof(double) ? 5e-5 : 5e-4;
   static constexpr double shareOfGrazing = 5e-3, play = 2.5e-3;
   static constexpr double softness = 1, still = 2e-4, fits = 1e-4;
-  static constexpr int mostRows = 64;
+  static constexpr int fewRows = 64, mostRows = 256;
 
   std::size_t bytes() const;
 
@@ -95,7 +96,7 @@ class HeldContacts {
   void collect(const Group& group, double h);
   void collectStrongMotors(const Group& group, double h);
   int mechanismOf(int body);
-  bool isLarge(int mechanism) const { return mechanisms_[mechanism].rows > mostRows; }
+  bool hasMore(int mechanism, int rows) const { return mechanisms_[mechanism].rows > rows; }
   int wayBetween(int a, int b);
   void findWays();
   bool mayBeHeld(const Group& group, const Contact& contact);
