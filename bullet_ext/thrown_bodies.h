@@ -31,12 +31,12 @@ bool contactsThrowOne(const Group& group, const Island& island, double demand, c
 /// their targets, J. The work done to hold, r (u + u⁺)/2, is what targets ask for: nothing that is
 /// held at rest gains energy.
 struct TargetWork {
-  double done = 0;
+  double done = 0;  ///< less what drives take up at the same time, as a motor that is pushed back
   /// The sum of
   ///
   ///   - ½ target²/W_ii over all targets, which is what each would take alone,
-  ///   - the work of what drives joints, in either direction: motors, limits and springs, which
-  ///     have bounds and may do all that these allow (a breaking threshold is no such bound), but
+  ///   - the work that is done by what drives joints: motors, limits and springs, which have
+  ///     bounds and may do all that these allow (a breaking threshold is no such bound), but
   ///     no more than the same impulse does on its two bodies alone,
   ///   - twice the work of forces: the energy that they take from the bodies in this step, as from
   ///     a load that is lifted, or would give them from rest. It takes once as much to go on as
