@@ -11,9 +11,11 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <vector>
 
 #include "bullet_ext/convert.h"
 #include "bullet_ext/gather.h"
+#include "bullet_ext/thrown_bodies.h"
 #include "tests/support/bullet_world.h"
 
 namespace delassus::test {
@@ -200,6 +202,20 @@ TEST(GeometricStiffness, LeavesInertiasPositiveUnderForcesOfAnySize) {
       EXPECT_GE(leastOf(inverse), -1e-15 * own.norm());
       EXPECT_GE(leastOf(own - inverse), -rounding);
     }
+}
+
+// Energies are those of bodies as they are: the springs' inertia would excuse any throw.
+TEST(GeometricStiffness, IsNoSourceOfEnergy) {
+  PulledPlate pulled;
+  pulled.plate.setAngularVelocity({0, 5, 0});
+  const Mat3 own = bullet::toCore(pulled.plate.getInvInertiaTensorWorld());
+  ASSERT_EQ(pulled.stiffen(), 1);
+  EXPECT_EQ(pulled.group.ownInverseInertia(0), own);
+  std::vector<Body> bodies = pulled.group.bodies;
+  bodies[0].velocity << Vec3::Zero(), 0, 5, 0;
+  Island island;
+  island.bodies = {0};
+  EXPECT_NEAR(bullet::energyOf(pulled.group, island, bodies), 0.5 * 5 * 5 / own(1, 1), 1e-3);
 }
 
 TEST(GeometricStiffness, IsNeverWithoutNumbers) {
