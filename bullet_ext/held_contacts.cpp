@@ -3,7 +3,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <tuple>
 
 #include "BulletCollision/NarrowPhaseCollision/btPersistentManifold.h"
@@ -12,9 +11,9 @@
 #include "bullet_ext/arcs.h"
 #include "bullet_ext/convert.h"
 #include "bullet_ext/group.h"
+#include "bullet_ext/joint_drives.h"
 #include "bullet_ext/response.h"
 #include "bullet_ext/softness.h"
-#include "bullet_ext/unbounded_motors.h"
 #include "delassus/contact_motion.h"
 
 namespace delassus::bullet {
@@ -54,20 +53,6 @@ struct Ways {
 /// A row is a motor if it may push less than what breaks the joint.
 Ways waysOf(const JointSource& joint, const Row& row) {
   return Ways::of(joint, row, toCoreBound(joint.constraint->getBreakingImpulseThreshold()));
-}
-
-/// The number of rows of a hinge or a slider before those of its own axis, whose limits may lock
-/// it; of other joints that of all.
-int rowsBesideAxis(const btTypedConstraint& joint) {
-  constexpr int ofHinge = 5, ofSlider = 4;
-  switch (joint.getConstraintType()) {
-    case HINGE_CONSTRAINT_TYPE:
-      return ofHinge;
-    case SLIDER_CONSTRAINT_TYPE:
-      return ofSlider;
-    default:
-      return std::numeric_limits<int>::max();
-  }
 }
 
 ImpulseSpan::Impulse impulseOf(const Group& group, const Row& row, bool isDriven) {

@@ -1,4 +1,6 @@
-#include "bullet_ext/unbounded_motors.h"
+#include "bullet_ext/joint_drives.h"
+
+#include <limits>
 
 #include "BulletDynamics/ConstraintSolver/btConeTwistConstraint.h"
 #include "BulletDynamics/ConstraintSolver/btGeneric6DofConstraint.h"
@@ -62,6 +64,18 @@ bool hasUnboundedMotor(btTypedConstraint& joint) {
       return hasUnboundedMotorOfSix<btGeneric6DofSpring2Constraint>(joint);
     default:
       return true;
+  }
+}
+
+int rowsBesideAxis(const btTypedConstraint& joint) {
+  constexpr int ofHinge = 5, ofSlider = 4;
+  switch (joint.getConstraintType()) {
+    case HINGE_CONSTRAINT_TYPE:
+      return ofHinge;
+    case SLIDER_CONSTRAINT_TYPE:
+      return ofSlider;
+    default:
+      return std::numeric_limits<int>::max();
   }
 }
 

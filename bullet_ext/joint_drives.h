@@ -9,4 +9,8 @@ namespace delassus::bullet {
 /// have any motors.
 bool hasUnboundedMotor(btTypedConstraint& joint);
 
+/// The number of rows of a hinge or a slider before those of its own axis, whose limits may lock
+/// it, and may be moved; of other joints that of all.
+int rowsBesideAxis(const btTypedConstraint& joint);
+
 }  // namespace delassus::bullet
