@@ -58,9 +58,10 @@ bool CondensedNewton::setProblem(const Problem& problem, const NaturalMap& map, 
   map_ = &map;
   divide(problem, r, false);
   if (left_.empty()) return false;
-  if (!held_.empty() && static_cast<int>(left_.size()) <= most) return true;
   const bool areFew = static_cast<int>(left_.size()) <= most;
+  if (areFew && !held_.empty()) return true;
   divide(problem, r, true);
+  // A motor that gives all it has may seem to be within its bounds, by rounding.
   if (areFew && !left_.empty()) divide(problem, r, false);
   return static_cast<int>(left_.size()) <= most;
 }
