@@ -246,7 +246,11 @@ btDelassusConstraintSolver::Work btDelassusConstraintSolver::solve(const GroupIn
 void btDelassusConstraintSolver::gather(const GroupInput& input, Extension* extension) {
   const btContactSolverInfo& info = *input.info;
   Workspace& w = *workspace_;
-  gatherGroup(w.group, input, report_, extension, stockRollingFriction_);
+  const Options& options = w.workshop.options();
+  // Few sweeps go further where loads have many ways.
+  const Manner manner{stockRollingFriction_,
+                      options.economies.weldedContacts && !options.isHurried()};
+  gatherGroup(w.group, input, report_, extension, manner);
   if (!warmStarts(info)) return;
   w.memory.recall(w.group);
   // reset() forgets the impulses that constraints of articulated bodies keep, too.

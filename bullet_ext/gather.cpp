@@ -10,7 +10,7 @@
 namespace delassus::bullet {
 
 void gatherGroup(Group& group, const GroupInput& input, StepReport& report, Extension* extension,
-                 bool asStock) {
+                 const Manner& manner) {
   group.clear();
   group.h = input.info->m_timeStep;
   gatherBodies(group, input, report);
@@ -18,9 +18,9 @@ void gatherGroup(Group& group, const GroupInput& input, StepReport& report, Exte
   gatherJoined(group, input);
   gatherContacts(group, input, report);
   gatherJoints(group, input, report);
-  addTo(report.held, group.held.soften(group, *input.info));
+  addTo(report.held, group.held.soften(group, *input.info, manner.leavesOutWelded));
   if (extension) extension->gatherRows(group, input, report);
-  gatherTurningFriction(group, asStock);
+  gatherTurningFriction(group, manner.rollsAsStock);
   stateAlongArcs(group);
 }
 

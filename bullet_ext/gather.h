@@ -13,11 +13,16 @@ class Extension;
 /// of a locked axis: the exact impulse there is 1e8 times as large as without the lock.
 constexpr double inVain = 1e-8;
 
+struct Manner {
+  bool rollsAsStock = false;     ///< see gatherTurningFriction
+  bool leavesOutWelded = false;  ///< see HeldContacts
+};
+
 /// Reads a whole solveGroup call into `group`, which is cleared first. An extension adds its parts
-/// in between; `asStock`: see gatherTurningFriction. Of Bullet's objects only joints are written
+/// in between. Of Bullet's objects only joints are written
 /// to: their impulses and feedback are cleared. The functions below are its parts, in their order.
 void gatherGroup(Group& group, const GroupInput& input, StepReport& report,
-                 Extension* extension = nullptr, bool asStock = false);
+                 Extension* extension = nullptr, const Manner& manner = {});
 
 /// Index of the object in `group`, which it joins if it is new: a body, fixedWorld or leftOut.
 ///

@@ -152,6 +152,7 @@ struct Group {
   /// The radius of the arc along which a row is stated, m; 1 of rows along an axis.
   double arcOf(int row) const { return arcs.empty() ? 1 : arcs[row]; }
   const Mat3& ownInverseInertia(int body) const;
+  bool isRigid(int body) const { return movable(body) && !isLimb(body); }
   bool isLimb(int body) const { return body >= 0 && !bodySources[body].rigid; }
 };
 

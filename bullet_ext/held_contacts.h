@@ -6,8 +6,10 @@
 #include "LinearMath/btScalar.h"
 #include "bullet_ext/body_paths.h"
 #include "bullet_ext/impulse_span.h"
+#include "bullet_ext/welded_bodies.h"
 #include "delassus/contact.h"
 #include "delassus/disjoint_sets.h"
+#include "delassus/row.h"
 
 struct btContactSolverInfo;
 
@@ -28,9 +30,10 @@ struct Group;
 ///   - Some motion is left (a door): the contact asks for no more than rest, and gives by
 ///     `softness` of the response of the body that responds less. The joints carry all.
 ///   - No motion at all is left (a welded post): the contact asks for no more than the joints do,
-///     and shares the load with them. Between links of one mechanism it gives by loopSoftness, as
-///     joints that close a loop: rigid ones would squeeze each other by what rounding asks for, and
-///     friction, which acts on two surfaces that overlap, would spin the mechanism.
+///     and shares the load with them. Between links of one mechanism that welds do not make one
+///     body it gives by loopSoftness, as joints that close a loop: rigid ones would squeeze each
+///     other by what rounding asks for, and friction, which acts on two surfaces that overlap,
+///     would spin the mechanism.
 ///   - Only motors block it that are as strong as welds, but may have to bear more than they can:
 ///     the contact asks for no more than the joints do, gives by loopSoftness, and bears the rest.
 ///   - Only a limit blocks it that the bodies reach in this step: they can go the other way. The
@@ -45,32 +48,36 @@ struct Group;
 /// deeper the bodies overlap, beyond `play`, the less may drives do so: so a servo does not press
 /// its arm through a table, however slowly it moves, and a weld breaks in a press. Between links of
 /// one mechanism errors do not count, as of links that a blow has pulled apart: they end where the
-/// links fit together, and a contact that resisted would keep them apart for ever.
+/// links fit together, and a contact that resisted would keep them apart for ever. Links that would
+/// overlap by more than `fit` of the arm then are no such links, but drawn together by a hand.
+///
+/// Bodies that welds hold together (WeldedBodies) count as one, and as the world if they are welded
+/// to it. Where no weld of such a body may break, contacts between its parts may be left out: the
+/// motion is the same without them, and the welds carry their loads.
 ///
 /// The joints that count are those of the mechanisms of the two bodies, if both mechanisms are
-/// fixed to the world or are the same one. Of a mechanism of more than `fewRows` rows only contacts
-/// between its own links count whose bodies overlap by more than `fits` of the arm: what just
-/// touches, as the bricks of a welded wall, fits together as it is. Of one of more than `mostRows`
-/// rows only those rows count that are on a way between the two bodies, if these are no more and
-/// leave fewer than six motions. Springs hold nothing, nor do motors, unless they may push without
-/// bounds. In a mechanism that is not fixed to the world, and so bears little beside its own
-/// weight, a motor also holds that could turn its bodies within the step by a radian, or move them
-/// by their radius of gyration.
+/// fixed to the world or are the same one. A mechanism of more than `mostRows` rows counts only for
+/// contacts between its own links, and then only those rows that are on a way between the two, if
+/// these are no more and leave fewer than six motions. Springs hold nothing, nor do motors, unless
+/// they may push without bounds. In a mechanism that is not fixed to the world, and so bears little
+/// beside its own weight, a motor also holds that could turn its bodies within the step by a
+/// radian, or move them by their radius of gyration.
 class HeldContacts {
  public:
   /// Call it when contacts and joints are gathered. Returns the number of contacts held, those that
-  /// graze included.
-  int soften(Group& group, const btContactSolverInfo& info);
+  /// graze or are left out included.
+  int soften(Group& group, const btContactSolverInfo& info, bool leavesOutWelded);
 
   /// In float normals lean by more.
   static constexpr double share = sizeof(btScalar) == sizeof(double) ? 5e-5 : 5e-4;
   static constexpr double shareOfGrazing = 5e-3, play = 2.5e-3;
-  static constexpr double softness = 1, still = 2e-4, fits = 1e-4;
-  static constexpr int fewRows = 64, mostRows = 256;
+  static constexpr double softness = 1, still = 2e-4, fit = 0.1;
+  static constexpr int mostRows = 256;
 
   std::size_t bytes() const;
 
  private:
+  static constexpr int none = -1;
   using Impulse = ImpulseSpan::Impulse;
   using Wanted = ImpulseSpan::Wanted;
   enum class Held { No, Grazing, ByLimit, ByMotor, Along, Wholly };
@@ -78,7 +85,7 @@ class HeldContacts {
   enum class By { Joints, Motors, Limits };
   /// A row that holds.
   struct Hold {
-    int row, a, b;  ///< the row and its bodies that can move; −1: none
+    int row, a, b;  ///< the row and the parts that it links; −1: none
     bool up, down;  ///< whether its reaction may be as large as need be, and as negative
     bool isDriven;  ///< what it asks for may be a drive's, and no error that it mends
     bool isMotor = false;
@@ -86,21 +93,27 @@ class HeldContacts {
     bool isLimit() const { return up != down; }
     bool isWeak() const { return isLimit() || isMotor; }
   };
-  /// Bodies that such rows link.
+  /// Parts that such rows link.
   struct Mechanism {
     int rows = 0;
-    bool stands = false;     ///< also held to bodies that do not move
+    bool stands = false;     ///< also held to what has no part
     int begin = 0, end = 0;  ///< among holds_, weak ones last
     int span = -1;           ///< among spans_: of rows that are not weak; −1: not computed
   };
+  Impulse onParts(int bodyA, int bodyB, const Vec6& onA, const Vec6& onB) const;
+  Impulse impulseOf(const Row& row, bool isDriven) const;
+  Impulse impulseOf(const Contact& contact, int axis = 0) const;
+  Impulse turnOf(const Contact& contact, int axis) const;
+  void collectWelds(const Group& group);
   void collect(const Group& group, double h);
   void collectStrongMotors(const Group& group, double h);
-  int mechanismOf(int body);
-  bool hasMore(int mechanism, int rows) const { return mechanisms_[mechanism].rows > rows; }
+  /// The mechanism of a part; −1 if nothing holds it.
+  int mechanismOf(int part) { return numberOf_[links_.root(part)]; }
+  bool hasTooMany(int mechanism) const { return mechanisms_[mechanism].rows > mostRows; }
   int wayBetween(int a, int b);
   void findWays();
   bool mayBeHeld(const Group& group, const Contact& contact);
-  bool isWithinOne(const Group& group, const Contact& contact);
+  bool areOfOne(const Group& group, const Contact& contact);
   void sortHolds();
   ImpulseSpan& spanOf(const Group& group, Mechanism& mechanism);
   double extend(const Group& group, const Hold& hold, const Impulse& impulse, ImpulseSpan& span);
@@ -108,15 +121,20 @@ class HeldContacts {
                  Wanted& apart);
   double leftOf(const Group& group, const Impulse& push, By by, double step, Wanted& apart);
   bool grazes(const Group& group, const Contact& contact);
-  Held judge(const Group& group, const Contact& contact, double asked, double overlap, double h,
-             double& apart);
+  bool areDriven(const Group& group, const Contact& contact, const Wanted& wanted, double overlap,
+                 const btContactSolverInfo& info);
+  Held judge(const Group& group, const Contact& contact, double asked, double overlap,
+             const btContactSolverInfo& info, double& apart);
   bool isWhollyHeld(const Group& group, const Contact& contact);
 
-  DisjointSets links_;
+  WeldedBodies welded_;
+  DisjointSets machines_;  ///< bodies that anything but the world links
+  DisjointSets links_;     ///< parts that rows link
   std::vector<Hold> holds_;
   std::vector<Mechanism> mechanisms_;
   std::vector<int> numberOf_;       ///< of the mechanism of each root; −1: none
   std::vector<int> candidates_;     ///< contacts
+  std::vector<int> spare_;          ///< those that are left out
   std::vector<ImpulseSpan> spans_;  ///< storage is used again
   int spansUsed_ = 0;
   std::vector<double> ofPush_, ofRow_;  ///< coordinates

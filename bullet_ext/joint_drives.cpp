@@ -1,5 +1,6 @@
 #include "bullet_ext/joint_drives.h"
 
+#include <algorithm>
 #include <limits>
 
 #include "BulletDynamics/ConstraintSolver/btConeTwistConstraint.h"
@@ -12,11 +13,13 @@
 namespace delassus::bullet {
 namespace {
 
-/// Calls isUnbounded(the joint, its force that breaks it) if it is of this class, as its type says.
+/// Calls isUnbounded(the joint, the impulse that breaks it) if it is of this class, as its type
+/// says. Impulses from BT_LARGE_FLOAT on are unbounded (toCoreBound).
 template <class Joint, class Test>
 bool askMotors(btTypedConstraint& joint, const Test& isUnbounded) {
   auto* known = dynamic_cast<Joint*>(&joint);
-  return !known || isUnbounded(*known, joint.getBreakingImpulseThreshold());
+  const btScalar most = std::min(joint.getBreakingImpulseThreshold(), btScalar(BT_LARGE_FLOAT));
+  return !known || isUnbounded(*known, most);
 }
 
 template <class Joint>

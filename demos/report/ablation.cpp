@@ -37,6 +37,7 @@ const std::vector<Economy> economies{
     {"one region", &Economies::oneRegion, "sweeps also where there is only one region"},
     {"joints", &Economies::joints, "sweeps over joints, and their share in all regions"},
     {"factors", &Economies::factors, "a factorisation also where region and W stand"},
+    {"welds", &Economies::weldedContacts, "contacts between bodies that welds make one"},
     {"pushes", &Economies::pushes, "a push problem also without deep penetrations"},
     {"events", &Economies::events, "contact events though nobody listens"},
     {"storage", &Economies::storage, "memory is let go after each step"}};

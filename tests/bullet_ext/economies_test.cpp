@@ -1,6 +1,7 @@
 /// A step does no work that its scene does not need. The tests count the work, and compare the
 /// motion with that of a step that does the work all the same.
 
+#include <BulletDynamics/ConstraintSolver/btFixedConstraint.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -227,6 +228,26 @@ TEST(Economies, ASingleContactTakesAFormula) {
       });
   EXPECT_GT(formulas, 0);
   EXPECT_EQ(walks, formulas);
+}
+
+// A tower of welded bricks is one body: only the lowest touches anything else.
+TEST(Economies, WeldedBricksHaveNoContactsBetweenThem) {
+  constexpr int height = 4;
+  compare(
+      &Economies::weldedContacts, 10,
+      [](BulletWorld& world) {
+        world.addGround();
+        btRigidBody* last = nullptr;
+        for (int i = 0; i < height; ++i) {
+          btRigidBody& brick = world.addCube({0, btScalar(0.5) + i, 0});
+          if (last)
+            world.addJoint<btFixedConstraint>(*last, brick, BulletWorld::at({0, 0.5, 0}),
+                                              BulletWorld::at({0, -0.5, 0}));
+          last = &brick;
+        }
+      },
+      [](const StepReport& report) { EXPECT_EQ(report.contacts, 4); },
+      [](const StepReport& report) { EXPECT_EQ(report.contacts, 4 * height); });
 }
 
 TEST(Economies, NoRowsWithoutRollingAndSpinningFriction) {

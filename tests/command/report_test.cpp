@@ -290,7 +290,7 @@ TEST_F(Report, TellsWhatEachEconomyIsWorth) {
   };
   for (const char* scene : {"stack_10", "ball_off_ball"}) {
     auto rows = rowsByName(scene);
-    ASSERT_EQ(rows.size(), 11U) << scene;
+    ASSERT_EQ(rows.size(), 12U) << scene;
     for (auto& [without, row] : rows) {
       EXPECT_LT(std::stod(row["difference"]), 1e-5) << scene << ' ' << without;
       EXPECT_GT(std::stod(row["busy_ratio"]), 0) << scene << ' ' << without;

@@ -43,7 +43,7 @@ class WatchingSolver : public btConstraintSolver {
       bullet::gatherGroup(
           group_,
           {bodies, bodyCount, manifolds, manifoldCount, joints, jointCount, &info, dispatcher},
-          ignored);
+          ignored, nullptr, {false, true});
     }
     const int islands = inner_.report().islands;
     inner_.solveGroup(bodies, bodyCount, manifolds, manifoldCount, joints, jointCount, info, drawer,

@@ -1,0 +1,161 @@
+#include "bullet_ext/welded_bodies.h"
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <numeric>
+
+#include "BulletDynamics/ConstraintSolver/btTypedConstraint.h"
+#include "bullet_ext/convert.h"
+#include "bullet_ext/group.h"
+#include "delassus/bytes.h"
+
+namespace delassus::bullet {
+namespace {
+
+/// Whether the body has the same mass along all axes, and inertia about each.
+bool hasFullMass(const Body& body) {
+  constexpr double leastRatio = 1e-9;
+  const Vec3& m = body.inverseMass;
+  const double mean = body.inverseInertia.trace() / 3;
+  return m[0] > 0 && m[0] == m[1] && m[0] == m[2] &&
+         body.inverseInertia.determinant() > leastRatio * mean * mean * mean;
+}
+
+Vec3 centreOf(const Group& group, int body) {
+  return toCore(group.bodySources[body].rigid->getCenterOfMassPosition());
+}
+
+}  // namespace
+
+std::size_t WeldedBodies::bytes() const {
+  return bytesOf(parts_, partOf_, rootOf_, mayBreak_, surplus_, fromCentre_, all_, ofDrives_,
+                 welds_, bolts_, weldsFrom_, firstFrom_, found_);
+}
+
+void WeldedBodies::reset(const Group& group) {
+  const auto count = static_cast<int>(group.bodies.size());
+  parts_ = group.bodies;
+  partOf_.resize(count);
+  rootOf_.assign(count, none);
+  mayBreak_.assign(count, false);
+  surplus_.assign(count, 0);
+  fromCentre_.assign(count, Vec3::Zero());
+  all_.assign(count, Vec6::Zero());
+  for (int i = 0; i < count; ++i) {
+    partOf_[i] = group.isRigid(i) ? i : none;
+    if (partOf_[i] == none) all_[i] = group.bodies[i].velocity;
+  }
+  ofDrives_ = all_;
+  welds_.clear();
+  bolts_.clear();
+}
+
+void WeldedBodies::weld(const Group& group, const JointSource& joint) {
+  const Row& first = group.rows[joint.firstRow];
+  const int a = first.a, b = first.b;
+  const bool hasA = partOf(a) != none, hasB = partOf(b) != none;
+  if ((hasA && !hasFullMass(group.bodies[a])) || (hasB && !hasFullMass(group.bodies[b]))) return;
+  Mat6 onA, onB;
+  Vec6 target;
+  for (int k = 0; k < 6; ++k) {
+    const Row& row = group.rows[joint.firstRow + k];
+    if (row.a != a || row.b != b) return;
+    onA.row(k) = row.jacobianA;
+    onB.row(k) = row.jacobianB;
+    target[k] = row.target;
+  }
+  const bool mayBreak = toCoreBound(joint.constraint->getBreakingImpulseThreshold()) < infinity;
+  const auto add = [&](int from, bool hasFrom, const Mat6& onFrom, int to, const Mat6& onTo) {
+    const Eigen::FullPivLU<Mat6> factor(onTo);
+    if (!factor.isInvertible()) return;
+    const Mat6 follows = -factor.inverse() * onFrom;
+    const Vec6 asked = factor.solve(target);
+    if (hasFrom) {
+      welds_.push_back({from, to, mayBreak, follows, asked});
+    } else {
+      const Vec6 driven = from >= 0 ? Vec6(follows * all_[from]) : Vec6(Vec6::Zero());
+      bolts_.push_back({to, mayBreak, driven + asked, driven});
+    }
+  };
+  if (hasA) add(b, hasB, onB, a, onA);
+  if (hasB) add(a, hasA, onA, b, onB);
+}
+
+/// Finds the bodies that hang on this one, and what their welds ask of them.
+void WeldedBodies::spread(int root) {
+  rootOf_[root] = root;
+  found_.assign(1, root);
+  for (std::size_t next = 0; next < found_.size(); ++next) {
+    const int at = found_[next];
+    for (int k = firstFrom_[at]; k < firstFrom_[at + 1]; ++k) {
+      const Weld& weld = welds_[weldsFrom_[k]];
+      if (rootOf_[weld.to] != none) continue;
+      rootOf_[weld.to] = root;
+      partOf_[weld.to] = partOf_[root];
+      all_[weld.to] = weld.follows * all_[at] + weld.target;
+      ofDrives_[weld.to] = weld.follows * ofDrives_[at];
+      found_.push_back(weld.to);
+    }
+  }
+  surplus_[root] = -static_cast<int>(found_.size());
+}
+
+/// Makes one body of those that have been found.
+void WeldedBodies::unite(const Group& group, int root) {
+  double mass = 0;
+  Vec3 centre = Vec3::Zero();
+  for (const int body : found_) {
+    const double m = 1 / group.bodies[body].inverseMass[0];
+    mass += m;
+    centre += m * centreOf(group, body);
+  }
+  centre /= mass;
+  Mat3 inertia = Mat3::Zero();
+  for (const int body : found_) {
+    const Vec3 r = centreOf(group, body) - centre;
+    fromCentre_[body] = r;
+    inertia += group.bodies[body].inverseInertia.inverse() +
+               (r.squaredNorm() * Mat3::Identity() - r * r.transpose()) /
+                   group.bodies[body].inverseMass[0];
+  }
+  parts_[root].inverseMass.setConstant(1 / mass);
+  parts_[root].inverseInertia = inertia.inverse();
+}
+
+void WeldedBodies::close(const Group& group) {
+  const auto count = static_cast<int>(welds_.size());
+  firstFrom_.assign(group.bodies.size() + 1, 0);
+  for (const Weld& weld : welds_) ++firstFrom_[weld.from];
+  std::partial_sum(firstFrom_.begin(), firstFrom_.end(), firstFrom_.begin());
+  weldsFrom_.resize(count);
+  for (int k = count; k-- > 0;) weldsFrom_[--firstFrom_[welds_[k].from]] = k;
+
+  for (const Bolt& bolt : bolts_) {
+    if (rootOf_[bolt.body] != none) continue;
+    partOf_[bolt.body] = none;
+    all_[bolt.body] = bolt.all;
+    ofDrives_[bolt.body] = bolt.ofDrives;
+    spread(bolt.body);
+  }
+  for (const Weld& weld : welds_) {
+    if (rootOf_[weld.from] != none) continue;
+    spread(weld.from);
+    unite(group, weld.from);
+    ++surplus_[weld.from];  // as if the root were bolted
+  }
+  const auto note = [&](int body, bool mayBreak) {
+    mayBreak_[rootOf_[body]] |= mayBreak;
+    ++surplus_[rootOf_[body]];
+  };
+  for (const Bolt& bolt : bolts_) note(bolt.body, bolt.mayBreak);
+  for (const Weld& weld : welds_)
+    if (weld.from < weld.to) note(weld.from, weld.mayBreak);
+}
+
+Vec6 WeldedBodies::onPart(int body, const Vec6& impulse) const {
+  Vec6 on = impulse;
+  on.tail<3>() += fromCentre_[body].cross(impulse.head<3>());
+  return on;
+}
+
+}  // namespace delassus::bullet

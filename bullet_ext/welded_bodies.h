@@ -1,0 +1,100 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "bullet_ext/impulse_span.h"
+#include "delassus/body.h"
+#include "delassus/row.h"
+
+namespace delassus::bullet {
+
+struct Group;
+struct JointSource;
+
+/// Bodies that welds hold together, each such part taken for one rigid body. A weld is a joint with
+/// six rows that hold both ways. What it asks for, to mend its errors, moves its bodies within
+/// their part.
+class WeldedBodies {
+ public:
+  static constexpr int none = -1;
+
+  /// Starts with the bodies of a group, none of them welded. Call `weld` for each weld, and then
+  /// `close`.
+  void reset(const Group& group);
+  /// `joint` has six rows. Does nothing if these are between several pairs of bodies or do not hold
+  /// all six motions, or if a body lacks mass along some axis.
+  void weld(const Group& group, const JointSource& joint);
+  void close(const Group& group);
+
+  bool empty() const { return welds_.empty() && bolts_.empty(); }
+  /// One body of each part stands for it; the others are not used.
+  const std::vector<Body>& parts() const { return parts_; }
+  /// Which body that is; none for the world, what is welded to it, and limbs.
+  int partOf(int body) const { return body >= 0 ? partOf_[body] : none; }
+  /// Whether welds hold two bodies together, and not only by the world.
+  bool areWelded(int a, int b) const {
+    return a >= 0 && b >= 0 && rootOf_[a] != none && rootOf_[a] == rootOf_[b];
+  }
+  /// The same, whatever load the welds must carry.
+  bool areWeldedForGood(int a, int b) const { return areWelded(a, b) && !mayBreak_[rootOf_[a]]; }
+  /// Whether more joints link a welded body's part than it needs: these may contradict each other.
+  bool isOverdetermined(int body) const { return surplus_[rootOf_[body]] > 0; }
+  /// Call it for each joint within a part that is no weld.
+  void addSurplus(const Row& row) {
+    for (const int body : {row.a, row.b}) {
+      if (body < 0 || rootOf_[body] == none) continue;
+      ++surplus_[rootOf_[body]];
+      return;
+    }
+  }
+  /// Whether welds hold the body to the world, or to something that is moved.
+  bool isBolted(int body) const {
+    return body >= 0 && rootOf_[body] != none && partOf_[body] == none;
+  }
+  /// An impulse on a body that has a part, about the body's centre, as one about the part's.
+  Vec6 onPart(int body, const Vec6& impulse) const;
+  /// The velocity of the body beside that of its part, along `impulse`: what welds ask for. Without
+  /// a part, all of its velocity.
+  ImpulseSpan::Wanted asked(int body, const Vec6& impulse) const {
+    if (body < 0) return {};
+    return {impulse.dot(all_[body]), impulse.dot(ofDrives_[body])};
+  }
+  /// The velocity that something moved gives to a point of a body without a part, m/s.
+  Vec3 drivenAt(int body, const Vec3& arm) const {
+    if (body < 0) return Vec3::Zero();
+    return ofDrives_[body].head<3>() + ofDrives_[body].tail<3>().cross(arm);
+  }
+  std::size_t bytes() const;
+
+ private:
+  /// How the velocity of one body follows from that of another: v = follows v' + target.
+  struct Weld {
+    int from, to;
+    bool mayBreak;
+    Mat6 follows;
+    Vec6 target;
+  };
+  /// The same for a body that is welded to something without a part.
+  struct Bolt {
+    int body;
+    bool mayBreak;
+    Vec6 all, ofDrives;
+  };
+  void spread(int root);
+  void unite(const Group& group, int root);
+
+  std::vector<Body> parts_;
+  std::vector<int> partOf_, rootOf_;
+  std::vector<char> mayBreak_;    ///< of the roots
+  std::vector<int> surplus_;      ///< of the roots: joints that their parts do not need
+  std::vector<Vec3> fromCentre_;  ///< of the part to that of the body, m
+  std::vector<Vec6> all_, ofDrives_;
+
+  std::vector<Weld> welds_;  ///< each from both of its bodies
+  std::vector<Bolt> bolts_;
+  std::vector<int> weldsFrom_, firstFrom_;  ///< by body
+  std::vector<int> found_;                  ///< the bodies of one part
+};
+
+}  // namespace delassus::bullet
