@@ -1,4 +1,4 @@
-/// What holds: the rows of joints that hold their bodies rigidly, and the mechanisms that they make.
+/// What holds: rows that hold their bodies rigidly, and the mechanisms that they make.
 #include <cmath>
 
 #include "BulletDynamics/ConstraintSolver/btTypedConstraint.h"
