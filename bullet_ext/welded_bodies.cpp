@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
+#include <cmath>
 #include <numeric>
 
 #include "BulletDynamics/ConstraintSolver/btTypedConstraint.h"
@@ -23,6 +24,13 @@ bool hasFullMass(const Body& body) {
 
 Vec3 centreOf(const Group& group, int body) {
   return toCore(group.bodySources[body].rigid->getCenterOfMassPosition());
+}
+
+/// The velocity of what goes along with a body, at this way from its centre.
+Vec6 goingAlong(const Vec6& velocity, const Vec3& way) {
+  Vec6 along = velocity;
+  along.head<3>() += velocity.tail<3>().cross(way);
+  return along;
 }
 
 }  // namespace
@@ -55,34 +63,36 @@ void WeldedBodies::weld(const Group& group, const JointSource& joint) {
   const int a = first.a, b = first.b;
   const bool hasA = partOf(a) != none, hasB = partOf(b) != none;
   if ((hasA && !hasFullMass(group.bodies[a])) || (hasB && !hasFullMass(group.bodies[b]))) return;
-  Mat6 onA, onB;
+  // Of the body that goes along, and of the other one.
+  const bool isBNext = hasB;
+  Mat6 onNext, onOther;
   Vec6 target;
   for (int k = 0; k < 6; ++k) {
     const Row& row = group.rows[joint.firstRow + k];
     if (row.a != a || row.b != b) return;
-    onA.row(k) = row.jacobianA;
-    onB.row(k) = row.jacobianB;
+    onNext.row(k) = isBNext ? row.jacobianB : row.jacobianA;
+    onOther.row(k) = isBNext ? row.jacobianA : row.jacobianB;
     target[k] = row.target;
   }
+  const Eigen::PartialPivLU<Mat6> factor(onNext);
+  constexpr double leastRatio = 1e-9;
+  if (!(std::abs(factor.determinant()) > leastRatio * onNext.rowwise().norm().prod())) return;
   const bool mayBreak = toCoreBound(joint.constraint->getBreakingImpulseThreshold()) < infinity;
-  const auto add = [&](int from, bool hasFrom, const Mat6& onFrom, int to, const Mat6& onTo) {
-    const Eigen::FullPivLU<Mat6> factor(onTo);
-    if (!factor.isInvertible()) return;
-    const Mat6 follows = -factor.inverse() * onFrom;
-    const Vec6 asked = factor.solve(target);
-    if (hasFrom) {
-      welds_.push_back({from, to, mayBreak, follows, asked});
-    } else {
-      const Vec6 driven = from >= 0 ? Vec6(follows * all_[from]) : Vec6(Vec6::Zero());
-      bolts_.push_back({to, mayBreak, driven + asked, driven});
-    }
-  };
-  if (hasA) add(b, hasB, onB, a, onA);
-  if (hasB) add(a, hasA, onA, b, onB);
+  const int next = isBNext ? b : a, other = isBNext ? a : b;
+  const Vec6 asked = factor.solve(target);
+  if (hasA && hasB) {
+    welds_.push_back({other, next, mayBreak, asked});
+    const Vec3 back = centreOf(group, other) - centreOf(group, next);
+    welds_.push_back({next, other, mayBreak, -goingAlong(asked, back)});
+  } else {
+    const Vec6 driven =
+        other >= 0 ? Vec6(factor.solve(-onOther * all_[other])) : Vec6(Vec6::Zero());
+    bolts_.push_back({next, mayBreak, driven + asked, driven});
+  }
 }
 
 /// Finds the bodies that hang on this one, and what their welds ask of them.
-void WeldedBodies::spread(int root) {
+void WeldedBodies::spread(const Group& group, int root) {
   rootOf_[root] = root;
   found_.assign(1, root);
   for (std::size_t next = 0; next < found_.size(); ++next) {
@@ -92,8 +102,9 @@ void WeldedBodies::spread(int root) {
       if (rootOf_[weld.to] != none) continue;
       rootOf_[weld.to] = root;
       partOf_[weld.to] = partOf_[root];
-      all_[weld.to] = weld.follows * all_[at] + weld.target;
-      ofDrives_[weld.to] = weld.follows * ofDrives_[at];
+      const Vec3 way = centreOf(group, weld.to) - centreOf(group, at);
+      all_[weld.to] = goingAlong(all_[at], way) + weld.target;
+      ofDrives_[weld.to] = goingAlong(ofDrives_[at], way);
       found_.push_back(weld.to);
     }
   }
@@ -135,11 +146,11 @@ void WeldedBodies::close(const Group& group) {
     partOf_[bolt.body] = none;
     all_[bolt.body] = bolt.all;
     ofDrives_[bolt.body] = bolt.ofDrives;
-    spread(bolt.body);
+    spread(group, bolt.body);
   }
   for (const Weld& weld : welds_) {
     if (rootOf_[weld.from] != none) continue;
-    spread(weld.from);
+    spread(group, weld.from);
     unite(group, weld.from);
     ++surplus_[weld.from];  // as if the root were bolted
   }

@@ -68,20 +68,19 @@ class WeldedBodies {
   std::size_t bytes() const;
 
  private:
-  /// How the velocity of one body follows from that of another: v = follows v' + target.
+  /// What one body is to do beside going along with another, as a velocity.
   struct Weld {
     int from, to;
     bool mayBreak;
-    Mat6 follows;
     Vec6 target;
   };
-  /// The same for a body that is welded to something without a part.
+  /// What a body does that is welded to something without a part.
   struct Bolt {
     int body;
     bool mayBreak;
     Vec6 all, ofDrives;
   };
-  void spread(int root);
+  void spread(const Group& group, int root);
   void unite(const Group& group, int root);
 
   std::vector<Body> parts_;
