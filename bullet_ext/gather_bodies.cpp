@@ -79,7 +79,9 @@ void addForces(const btRigidBody& rigid, const btContactSolverInfo& info, Body& 
   body.inverseInertia = 0.5 * (tensor + tensor.transpose());
 
   // Bullet's forces carry the factors already: gravity and applyForce put them in.
-  body.velocity.head<3>() += h * inverseMass * toCore(rigid.getTotalForce());
+  const Vec3 gain = h * inverseMass * toCore(rigid.getTotalForce());
+  body.velocity.head<3>() += gain;
+  body.gain = gain.norm();
   const Vec3 torque = h * toCore(rigid.getTotalTorque());
   const Vec3 turn = body.inverseInertia * torque + gyroscopicGain(rigid, info);
   const Vec3 isFree = (angularFactor.array() != 0).cast<double>();

@@ -156,6 +156,7 @@ const Problem& Coupling::couple(const Articulation& articulation, const Problem&
   problem_.upper = apart.upper;
   problem_.disks = apart.disks;
   problem_.roundOff = apart.roundOff;
+  problem_.leastDemand = apart.leastDemand;
   return problem_;
 }
 

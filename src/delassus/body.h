@@ -13,6 +13,9 @@ struct Body {
   Mat3 inverseInertia = Mat3::Zero();  ///< 1/(kg m²), symmetric positive semi-definite
   Vec6 velocity = Vec6::Zero();        ///< free velocity v_f = v + h M⁻¹ f, in m/s and rad/s
 
+  /// The speed that forces give it in this step, m/s; 0 if it is not known (Problem::leastDemand).
+  double gain = 0;
+
   bool movable() const { return inverseMass.any() || inverseInertia.any(); }
 };
 

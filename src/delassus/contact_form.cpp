@@ -128,6 +128,7 @@ Problem contactForm(const Problem& problem) {
   Problem form;
   form.name = problem.name;
   form.roundOff = problem.roundOff;
+  form.leastDemand = problem.leastDemand;
   form.friction = Eigen::Map<const Eigen::VectorXd>(friction.data(),
                                                     static_cast<Eigen::Index>(friction.size()));
   form.q.setZero(3 * form.contacts());

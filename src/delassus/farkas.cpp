@@ -15,6 +15,7 @@ void FarkasProof::setProblem(const Problem& problem, const NaturalMap& map) {
   demands_.lower = problem.lower;
   demands_.upper = problem.upper;
   demands_.roundOff = problem.roundOff;
+  demands_.leastDemand = problem.leastDemand;
   for (int i = 0; i < n; ++i) demands_.q.segment<2>(3 * i + 1).setZero();
   for (int i = 0; i < problem.rows(); ++i) {
     const bool ofDisk = 3 * n + i >= problem.disksBegin();

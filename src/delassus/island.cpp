@@ -149,6 +149,22 @@ void Assembler::split(const std::vector<Body>& bodies, const std::vector<Contact
       island->rows.push_back(i);
 }
 
+double leastDemandOf(const std::vector<Body>& bodies, const std::vector<Contact>& contacts,
+                     const std::vector<Row>& rows, const Island& island) {
+  double least = infinity;
+  for (const int body : island.bodies) least = std::min(least, bodies[body].gain);
+  if (!(least > 0 && least < infinity)) return 0;
+  const auto isHeld = [&](const auto& part) {
+    return !movable(bodies, part.a) || !movable(bodies, part.b);
+  };
+  for (const std::vector<int>* list : {&island.frictional, &island.frictionless})
+    for (const int i : *list)
+      if (isHeld(contacts[i])) return 0;
+  for (const int i : island.rows)
+    if (isHeld(rows[i])) return 0;
+  return least;
+}
+
 const Problem& Assembler::assemble(const std::vector<Body>& bodies,
                                    const std::vector<Contact>& contacts,
                                    const std::vector<Row>& rows, const Island& island) {
@@ -159,6 +175,7 @@ const Problem& Assembler::assemble(const std::vector<Body>& bodies,
   writeFrictionless(bodies, contacts, island, space);
   writeRows(bodies, rows, island, space);
   writeDisks(bodies, rows, island, space);
+  problem_.leastDemand = leastDemandOf(bodies, contacts, rows, island);
   problem_.roundOff = 4 * std::numeric_limits<double>::epsilon() * largestTerm_;
   return problem_;
 }

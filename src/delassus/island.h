@@ -35,6 +35,10 @@ struct Island {
   std::size_t bytes() const { return bytesOf(bodies, frictional, frictionless, rows); }
 };
 
+/// Problem::leastDemand of an island.
+double leastDemandOf(const std::vector<Body>& bodies, const std::vector<Contact>& contacts,
+                     const std::vector<Row>& rows, const Island& island);
+
 /// Splits steps into islands and writes their problems, in storage that it keeps from step to step.
 class Assembler {
  public:

@@ -138,7 +138,7 @@ double IslandCheck::move(const std::vector<Body>& bodies, const std::vector<Cont
                          std::vector<Body>& moved, VectorXd& r) {
   impulses_.resize(bodies.size(), Vec6::Zero());
   for (int body : island.bodies) impulses_[body].setZero();
-  double demand = 0;
+  double demand = leastDemandOf(bodies, contacts, rows, island);
   const auto moves = [&](int body) { return body >= 0 && bodies[body].movable(); };
   const auto push = [&](const Contact& c, const Vec3& impulse) {
     if (moves(c.a)) {

@@ -133,6 +133,7 @@ void Patches::cutOut(int patch, const Problem& problem, const VectorXd& r, const
 
   BodySpace& own = makeRoom(contacts, rows, cut);
   cut.roundOff = problem.roundOff;
+  cut.leastDemand = problem.leastDemand;
   reactions.resize(cut.size());
   const auto numberOf = [&](int body) {
     if (body < 0) return body;

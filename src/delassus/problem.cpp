@@ -117,7 +117,7 @@ bool areContactsFit(const Problem& problem) {
 
 double Problem::demand() const {
   const int n = contacts();
-  double largest = 0;
+  double largest = leastDemand;
   for (int i = 0; i < n; ++i)
     largest = std::max(largest, contactDemand(q.segment<3>(3 * i), friction[i]));
   for (int i = 0; i < rows(); ++i) {

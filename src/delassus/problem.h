@@ -27,6 +27,11 @@ struct Problem {
   VectorXd lower, upper;    ///< bounds of the rows, size m; infinite for those of disks
   std::vector<Disk> disks;  ///< their rows are the last, in this order, without gaps
   double roundOff = 0;      ///< error of q from velocities that cancel in it, m/s
+  /// What counts as little is little beside this, even where nothing asks for as much, m/s. Where
+  /// nothing but each other holds the bodies, it is the least speed that forces give one in the
+  /// step: as these fall together, what they ask of each other may be next to nothing. (Where the
+  /// world holds them, a small demand may be what keeps a wedge from sliding.)
+  double leastDemand = 0;
 
   int contacts() const { return static_cast<int>(friction.size()); }
   int rows() const { return static_cast<int>(lower.size()); }
@@ -41,7 +46,7 @@ struct Problem {
   std::size_t bytes() const { return W.bytes() + bytesOf(q, friction, lower, upper, disks); }
   int disksBegin() const { return disks.empty() ? size() : disks.front().first; }
   int plainRows() const { return disksBegin() - 3 * contacts(); }  ///< those of no disk
-  /// The largest demand, m/s: contactDemand, and of rows demandOf; 0 if there is none.
+  /// The largest demand, m/s: contactDemand, and of rows demandOf; no less than leastDemand.
   double demand() const;
 };
 

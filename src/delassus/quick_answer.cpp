@@ -193,7 +193,7 @@ bool QuickAnswer::walk() {
 }
 
 bool QuickAnswer::answers(const ProblemParts& parts, int part) const {
-  double demand = 0;
+  double demand = problem_.leastDemand;
   for (int k = 0; k < parts.sizeOf(part); k += 3) {
     const int at = parts.unknown(part, k);
     demand = std::max(demand, contactDemand(problem_.q.segment<3>(at), problem_.friction[at / 3]));

@@ -15,6 +15,7 @@ void Search::vary() {
   varied_.upper = problem_->upper;
   varied_.disks = problem_->disks;
   varied_.roundOff = problem_->roundOff;
+  varied_.leastDemand = problem_->leastDemand;
 }
 
 /// Solves varied_ from variedStart_; the answer is in variedAnswer_.

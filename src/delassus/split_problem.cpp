@@ -68,6 +68,7 @@ Problem ProblemParts::problemOf(int part) const {
   Problem p;
   p.name = whole_.name;
   p.roundOff = whole_.roundOff;
+  p.leastDemand = whole_.leastDemand;
   p.q.resize(size);
   p.friction.resize(contacts);
   p.lower.resize(rows);

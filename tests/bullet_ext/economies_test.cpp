@@ -230,6 +230,22 @@ TEST(Economies, ASingleContactTakesAFormula) {
   EXPECT_EQ(walks, formulas);
 }
 
+// Bodies that fall together, and whose demands are as nothing beside what they gain by falling.
+TEST(Economies, WhatFallsTogetherIsNotToldApart) {
+  const double little = 1e-14 * BulletWorld::gravity;
+  compare(
+      nullptr, 5,
+      [&](BulletWorld& world) {
+        world.addCube({0, 0, 0});
+        world.addCube({0, 1, 0}).setLinearVelocity({0, btScalar(-little), 0});
+      },
+      [](const StepReport& report) {
+        EXPECT_EQ(report.regions, 0);
+        EXPECT_EQ(report.solved, report.islands);
+      },
+      [](const StepReport&) {});
+}
+
 // A tower of welded bricks is one body: only the lowest touches anything else.
 TEST(Economies, WeldedBricksHaveNoContactsBetweenThem) {
   constexpr int height = 4;

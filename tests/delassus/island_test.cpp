@@ -121,6 +121,31 @@ TEST(Assemble, QIsTheRelativeVelocityOfTheFreeMotion) {
   }
 }
 
+// Of bodies that fall together what forces give them is the least that counts as a demand; of those
+// that something holds, any demand may count.
+TEST(Assemble, NoDemandOfWhatFallsIsLessThanWhatForcesGive) {
+  Random random(34);
+  std::vector<Body> bodies = {randomBody(random), randomBody(random), Body()};
+  bodies[0].gain = 1e4;
+  bodies[1].gain = 2e4;
+  const std::vector<Contact> contacts = {randomContact(1, 0, 0.5, random)};
+  std::vector<Row> rows = {randomRow(0, 1, random)};
+  const auto leastDemand = [&] {
+    const std::vector<Island> islands = splitIslands(bodies, contacts, rows);
+    const Problem problem = assemble(bodies, contacts, rows, islands.at(0));
+    EXPECT_GE(problem.demand(), problem.leastDemand);
+    return problem.leastDemand;
+  };
+  EXPECT_EQ(leastDemand(), 1e4);
+  for (const int held : {fixedWorld, 2}) {
+    rows.push_back(randomRow(1, held, random));
+    EXPECT_EQ(leastDemand(), 0) << held;
+    rows.pop_back();
+  }
+  bodies[1].gain = 0;
+  EXPECT_EQ(leastDemand(), 0);
+}
+
 // u = W r + q, seen from the bodies: the reactions push them, and then their motion is read.
 TEST(Assemble, WIsWhatReactionsDoToTheBodies) {
   Random random(32);

@@ -33,6 +33,7 @@ TEST(ProblemParts, AreWhatEntriesOfEitherTriangleConnect) {
   problem.lower = Eigen::Vector2d(0, -1);
   problem.upper = Eigen::Vector2d(2, 1);
   problem.roundOff = 1e-9;
+  problem.leastDemand = 2;
 
   const ProblemParts parts(problem);
   ASSERT_EQ(parts.count(), 3);
@@ -47,6 +48,7 @@ TEST(ProblemParts, AreWhatEntriesOfEitherTriangleConnect) {
   EXPECT_EQ(second.lower, VectorXd::Constant(1, -1));
   EXPECT_EQ(second.upper, VectorXd::Constant(1, 1));
   EXPECT_EQ(second.roundOff, problem.roundOff);
+  EXPECT_EQ(second.leastDemand, problem.leastDemand);
 }
 
 TEST(ProblemParts, AnEntryThatIsZeroConnectsNothing) {
