@@ -244,12 +244,9 @@ HeldContacts::Held HeldContacts::judge(const Group& group, const Contact& contac
     apart = push.wanted.all;
     return areDriven(group, contact, push.wanted, overlap, info) ? Held::No : Held::Wholly;
   }
-  if (areOfOne(group, contact)) {
-    const int number = mechanismOf(push.a != none ? push.a : push.b);
-    if (hasTooMany(number)) {
-      if (push.a != none && push.b != none) narrowed_ = wayBetween(push.a, push.b);
-      if (narrowed_ == none) return Held::No;
-    }
+  if (push.a != none && push.b != none && hasTooMany(mechanismOf(push.a))) {
+    narrowed_ = wayBetween(push.a, push.b);
+    if (narrowed_ == none) return Held::No;
   }
   const double size = ImpulseSpan::product(welded_.parts(), push, push);
   const double step = size > 0 ? std::max(asked, 0.0) / size : 0;
