@@ -106,7 +106,7 @@ bool HeldContacts::mayBeHeld(const Group& group, const Contact& contact) {
   const auto stands = [&](int part) {
     if (part == none) return true;
     const int number = mechanismOf(part);
-    return number != none && mechanisms_[number].stands && !hasTooMany(number);
+    return number != none && mechanisms_[number].stands() && !hasTooMany(number);
   };
   return stands(a) && stands(b);
 }
@@ -216,20 +216,37 @@ bool HeldContacts::grazes(const Group& group, const Contact& contact) {
          (welded_.partOf(contact.b) == none || grazesAlone(false));
 }
 
+/// What nothing can stop and holds the body, or the mechanism that holds it.
+int HeldContacts::moverOf(int body) {
+  const int part = welded_.partOf(body);
+  if (part == none) return welded_.moverOf(body);
+  return mechanisms_[narrowed_ != none ? narrowed_ : mechanismOf(part)].mover;
+}
+
+/// Whether only one thing that nothing can stop holds the two bodies: its motion is theirs.
+bool HeldContacts::haveOneMover(const Contact& contact) {
+  const int ofA = moverOf(contact.a), ofB = moverOf(contact.b);
+  return ofA == ofB || ofA == noMover || ofB == noMover;
+}
+
 /// Whether something drives the bodies together that asks for this speed, m/s: what is moved, a
 /// joint's drive, or errors that are none of their fit.
 bool HeldContacts::areDriven(const Group& group, const Contact& contact, const Wanted& wanted,
                              double overlap, const btContactSolverInfo& info) {
-  const double h = info.m_timeStep, arm = longerArm(group, contact);
-  const Vec3 moved =
-      welded_.drivenAt(contact.a, contact.armA) - welded_.drivenAt(contact.b, contact.armB);
-  // Joints mend their errors, which decays. Normals lean. What drives on lets the overlap grow.
-  const double harmless = moved.isZero(0) ? still * arm / h : std::sqrt(share) * moved.norm();
-  const double deep = std::max(1.0, overlap / (play * arm));
-  if (wanted.ofDrives < -harmless / (deep * deep)) return true;
-  if (!areOfOne(group, contact)) return wanted.all < -harmless;
   if (welded_.areWelded(contact.a, contact.b)) return false;
-  const double error = -wanted.all * h / info.m_erp;
+  const double h = info.m_timeStep, arm = longerArm(group, contact), harmless = still * arm / h;
+  // What drives on lets the overlap grow.
+  const double deep = std::max(1.0, overlap / (play * arm)), patience = 1 / (deep * deep);
+  if (wanted.ofDrives < -harmless * patience) return true;
+  if (!haveOneMover(contact)) {
+    const Vec3 moved =
+        welded_.movedAt(contact.a, contact.armA) - welded_.movedAt(contact.b, contact.armB);
+    if (wanted.ofMovers < -std::sqrt(share) * moved.norm() * patience) return true;  // normals lean
+  }
+  // Joints mend their errors, which decays.
+  const double mends = wanted.ofErrors + wanted.ofDrives;
+  if (!areOfOne(group, contact)) return mends < -harmless;
+  const double error = -mends * h / info.m_erp;
   return error > play * arm && overlap + error > fit * arm;
 }
 
@@ -241,7 +258,7 @@ HeldContacts::Held HeldContacts::judge(const Group& group, const Contact& contac
   const Impulse push = impulseOf(contact);
   narrowed_ = none;
   if (push.a == push.b) {
-    apart = push.wanted.all;
+    apart = push.wanted.all();
     return areDriven(group, contact, push.wanted, overlap, info) ? Held::No : Held::Wholly;
   }
   if (push.a != none && push.b != none && hasTooMany(mechanismOf(push.a))) {
@@ -254,7 +271,7 @@ HeldContacts::Held HeldContacts::judge(const Group& group, const Contact& contac
     Wanted wanted = push.wanted;
     const bool isHeld = leftOf(group, push, by, step, wanted) <= share * size;
     if (!isHeld && (by != By::Joints || !grazes(group, contact))) continue;
-    apart = wanted.all;
+    apart = wanted.all();
     if (areDriven(group, contact, wanted, overlap, info)) return Held::No;
     if (!isHeld) return Held::Grazing;
     if (by != By::Joints) return by == By::Limits ? Held::ByLimit : Held::ByMotor;
@@ -263,10 +280,15 @@ HeldContacts::Held HeldContacts::judge(const Group& group, const Contact& contac
   return Held::No;
 }
 
-/// Whether the bodies are links of one mechanism. Links of two that stand on one welded frame are.
+/// Whether the bodies are links of one mechanism. Links of two that stand on one welded frame are,
+/// and so is a moved body on which the mechanism stands: that is ahead of the rest by a step.
 bool HeldContacts::areOfOne(const Group& group, const Contact& contact) {
-  return group.isRigid(contact.a) && group.isRigid(contact.b) &&
-         machines_.root(contact.a) == machines_.root(contact.b);
+  if (contact.a < 0 || contact.b < 0) return false;
+  if (group.isRigid(contact.a) && group.isRigid(contact.b) &&
+      machines_.root(contact.a) == machines_.root(contact.b))
+    return true;
+  const int mover = moverOf(contact.a);
+  return mover >= 0 && mover == moverOf(contact.b);
 }
 
 /// Whether the joints leave the two bodies no relative motion at all.
@@ -317,13 +339,11 @@ int HeldContacts::soften(Group& group, const btContactSolverInfo& info, bool lea
     else
       asked = std::min(asked, held == Held::Along ? 0 : apart);
     push = 0;
-    const bool closesLoop = welded_.areWelded(contact.a, contact.b)
-                                ? welded_.isOverdetermined(contact.a)
-                                : areOfOne(group, contact);
-    if (held == Held::Wholly && !closesLoop) continue;
-    const double give = held == Held::Along     ? softness
-                        : held == Held::ByLimit ? joinedSoftness
-                                                : loopSoftness;
+    if (held == Held::Wholly && !areOfOne(group, contact)) continue;
+    const bool isSpare = leavesOutWelded && welded_.areWelded(contact.a, contact.b);
+    const double give = held == Held::Along                ? softness
+                        : held == Held::ByLimit || isSpare ? joinedSoftness
+                                                           : loopSoftness;
     contact.compliance = std::max(contact.compliance, give * lesserResponse(group, contact));
   }
   leaveOut(spare_, group);

@@ -30,10 +30,9 @@ struct Group;
 ///   - Some motion is left (a door): the contact asks for no more than rest, and gives by
 ///     `softness` of the response of the body that responds less. The joints carry all.
 ///   - No motion at all is left (a welded post): the contact asks for no more than the joints do,
-///     and shares the load with them. Between links of one mechanism that welds do not make one
-///     body it gives by loopSoftness, as joints that close a loop: rigid ones would squeeze each
-///     other by what rounding asks for, and friction, which acts on two surfaces that overlap,
-///     would spin the mechanism.
+///     and shares the load with them. Between links of one mechanism it gives by loopSoftness, as
+///     joints that close a loop: rigid ones would squeeze each other by what rounding asks for, and
+///     friction, which acts on two surfaces that overlap, would spin the mechanism.
 ///   - Only motors block it that are as strong as welds, but may have to bear more than they can:
 ///     the contact asks for no more than the joints do, gives by loopSoftness, and bears the rest.
 ///   - Only a limit blocks it that the bodies reach in this step: they can go the other way. The
@@ -53,7 +52,12 @@ struct Group;
 ///
 /// Bodies that welds hold together (WeldedBodies) count as one, and as the world if they are welded
 /// to it. Where no weld of such a body may break, contacts between its parts may be left out: the
-/// motion is the same without them, and the welds carry their loads.
+/// motion is the same without them, and the welds carry their loads. Where one may, they stay for
+/// what comes after it, and give by joinedSoftness: what is left to them breaks no weld.
+///
+/// What stands on one moved thing goes along with it: that neither drives its contacts with the
+/// thing nor those between its links, and the thing counts as one of these, as it is ahead of the
+/// rest by a step.
 ///
 /// The joints that count are those of the mechanisms of the two bodies, if both mechanisms are
 /// fixed to the world or are the same one. A mechanism of more than `mostRows` rows counts only for
@@ -77,7 +81,7 @@ class HeldContacts {
   std::size_t bytes() const;
 
  private:
-  static constexpr int none = -1;
+  static constexpr int none = -1, noMover = -2, manyMovers = -3;
   using Impulse = ImpulseSpan::Impulse;
   using Wanted = ImpulseSpan::Wanted;
   enum class Held { No, Grazing, ByLimit, ByMotor, Along, Wholly };
@@ -96,7 +100,10 @@ class HeldContacts {
   /// Parts that such rows link.
   struct Mechanism {
     int rows = 0;
-    bool stands = false;     ///< also held to what has no part
+    /// What has no part and holds these too: WeldedBodies::moverOf.
+    int mover = noMover;
+    bool stands() const { return mover != noMover; }
+    void standOn(int thing) { mover = mover == noMover || mover == thing ? thing : manyMovers; }
     int begin = 0, end = 0;  ///< among holds_, weak ones last
     int span = -1;           ///< among spans_: of rows that are not weak; −1: not computed
   };
@@ -113,6 +120,8 @@ class HeldContacts {
   int wayBetween(int a, int b);
   void findWays();
   bool mayBeHeld(const Group& group, const Contact& contact);
+  int moverOf(int body);
+  bool haveOneMover(const Contact& contact);
   bool areOfOne(const Group& group, const Contact& contact);
   void sortHolds();
   ImpulseSpan& spanOf(const Group& group, Mechanism& mechanism);

@@ -74,7 +74,8 @@ HeldContacts::Impulse HeldContacts::onParts(int bodyA, int bodyB, const Vec6& on
 
 HeldContacts::Impulse HeldContacts::impulseOf(const Row& row, bool isDriven) const {
   Impulse impulse = onParts(row.a, row.b, row.jacobianA.transpose(), row.jacobianB.transpose());
-  Wanted wanted{row.target, isDriven ? row.target : 0};
+  Wanted wanted;
+  (isDriven ? wanted.ofDrives : wanted.ofErrors) = row.target;
   wanted.add(impulse.wanted, -1);
   impulse.wanted = wanted;
   return impulse;
@@ -102,16 +103,11 @@ void HeldContacts::collect(const Group& group, double h) {
   for (const JointSource& joint : group.joints) {
     const bool mayDrive = hasUnboundedMotor(*joint.constraint);
     const int fixedRows = rowsBesideAxis(*joint.constraint);
-    bool isSurplus = false;
     for (int k = joint.firstRow; k < joint.firstRow + joint.rowCount; ++k) {
       const Row& row = group.rows[k];
       const Ways ways = waysOf(joint, row);
       const int a = welded_.partOf(row.a), b = welded_.partOf(row.b);
-      if (!ways.any()) continue;
-      if (a == b) {
-        isSurplus = true;
-        continue;
-      }
+      if (!ways.any() || a == b) continue;
       // Limits may drive: hinges and sliders add the speed of a motor to what theirs asks for, and
       // limits may be moved.
       const bool isLimit = ways.up != ways.down || k - joint.firstRow >= fixedRows;
@@ -119,7 +115,6 @@ void HeldContacts::collect(const Group& group, double h) {
       if (a != none && b != none) links_.join(a, b);
       if (group.isRigid(row.a) && group.isRigid(row.b)) machines_.join(row.a, row.b);
     }
-    if (isSurplus && !isWeld(group, joint)) welded_.addSurplus(group.rows[joint.firstRow]);
   }
   mechanisms_.clear();
   numberOf_.assign(bodies, none);
@@ -131,7 +126,9 @@ void HeldContacts::collect(const Group& group, double h) {
     }
     hold.mechanism = number;
     ++mechanisms_[number].rows;
-    if (hold.a == none || hold.b == none) mechanisms_[number].stands = true;
+    const Row& row = group.rows[hold.row];
+    if (hold.a == none) mechanisms_[number].standOn(welded_.moverOf(row.a));
+    if (hold.b == none) mechanisms_[number].standOn(welded_.moverOf(row.b));
   }
   collectStrongMotors(group, h);
 }
@@ -144,7 +141,7 @@ void HeldContacts::collectStrongMotors(const Group& group, double h) {
       const int a = welded_.partOf(row.a), b = welded_.partOf(row.b);
       if (a == none || b == none || a == b || waysOf(joint, row).any()) continue;
       const int number = mechanismOf(a);
-      if (number == none || number != mechanismOf(b) || mechanisms_[number].stands) continue;
+      if (number == none || number != mechanismOf(b) || mechanisms_[number].stands()) continue;
       const Ways ways = Ways::of(joint, row, impulseOfWelds(group, row, h));
       if (!ways.any()) continue;
       holds_.push_back({k, a, b, ways.up, ways.down, true, true, number});

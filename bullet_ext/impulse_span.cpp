@@ -47,13 +47,14 @@ void ImpulseSpan::coordinates(const std::vector<Body>& bodies, const Impulse& p,
 
 void ImpulseSpan::add(const Impulse& p, const std::vector<double>& coordinates, double left) {
   const double root = std::sqrt(left);
-  const Wanted met = wantedAlong(coordinates);
+  Wanted wanted;
+  wanted.add(p.wanted, 1 / root);
+  wanted.add(wantedAlong(coordinates), -1 / root);
   const auto begin =
       std::find_if(coordinates.begin(), coordinates.end(), [](double x) { return x != 0; });
   begins_.push_back(static_cast<int>(begin - coordinates.begin()));
   impulses_.push_back(p);
-  impulses_.back().wanted = {(p.wanted.all - met.all) / root,
-                             (p.wanted.ofDrives - met.ofDrives) / root};
+  impulses_.back().wanted = wanted;
   factor_.insert(factor_.end(), coordinates.begin(), coordinates.end());
   factor_.push_back(root);
 }

@@ -17,11 +17,14 @@ class ImpulseSpan {
  public:
   /// The velocity that rows ask for, m/s.
   struct Wanted {
-    double all = 0;
-    double ofDrives = 0;  ///< the part that mends no errors
+    double ofErrors = 0;  ///< to mend them
+    double ofDrives = 0;  ///< of joints
+    double ofMovers = 0;  ///< that bodies have which nothing can stop
+    double all() const { return ofErrors + ofDrives + ofMovers; }
     void add(const Wanted& other, double times = 1) {
-      all += times * other.all;
+      ofErrors += times * other.ofErrors;
       ofDrives += times * other.ofDrives;
+      ofMovers += times * other.ofMovers;
     }
   };
   /// On bodies that can move; −1: on none.

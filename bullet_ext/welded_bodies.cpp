@@ -36,7 +36,7 @@ Vec6 goingAlong(const Vec6& velocity, const Vec3& way) {
 }  // namespace
 
 std::size_t WeldedBodies::bytes() const {
-  return bytesOf(parts_, partOf_, rootOf_, mayBreak_, surplus_, fromCentre_, all_, ofDrives_,
+  return bytesOf(parts_, partOf_, rootOf_, moverOf_, mayBreak_, fromCentre_, ofErrors_, ofMovers_,
                  welds_, bolts_, weldsFrom_, firstFrom_, found_);
 }
 
@@ -46,14 +46,16 @@ void WeldedBodies::reset(const Group& group) {
   partOf_.resize(count);
   rootOf_.assign(count, none);
   mayBreak_.assign(count, false);
-  surplus_.assign(count, 0);
   fromCentre_.assign(count, Vec3::Zero());
-  all_.assign(count, Vec6::Zero());
+  moverOf_.assign(count, none);
+  ofErrors_.assign(count, Vec6::Zero());
+  ofMovers_.assign(count, Vec6::Zero());
   for (int i = 0; i < count; ++i) {
     partOf_[i] = group.isRigid(i) ? i : none;
-    if (partOf_[i] == none) all_[i] = group.bodies[i].velocity;
+    if (partOf_[i] != none) continue;
+    moverOf_[i] = i;
+    ofMovers_[i] = group.bodies[i].velocity;
   }
-  ofDrives_ = all_;
   welds_.clear();
   bolts_.clear();
 }
@@ -79,15 +81,19 @@ void WeldedBodies::weld(const Group& group, const JointSource& joint) {
   if (!(std::abs(factor.determinant()) > leastRatio * onNext.rowwise().norm().prod())) return;
   const bool mayBreak = toCoreBound(joint.constraint->getBreakingImpulseThreshold()) < infinity;
   const int next = isBNext ? b : a, other = isBNext ? a : b;
-  const Vec6 asked = factor.solve(target);
   if (hasA && hasB) {
+    // Where the welded places have come apart, the rows differ from those of a rigid body, and what
+    // they ask for depends on how the bodies turn.
+    const Vec6& v = group.bodies[other].velocity;
+    const Vec6 along = goingAlong(v, centreOf(group, next) - centreOf(group, other));
+    const Vec6 asked = factor.solve(target - onOther * v) - along;
     welds_.push_back({other, next, mayBreak, asked});
     const Vec3 back = centreOf(group, other) - centreOf(group, next);
     welds_.push_back({next, other, mayBreak, -goingAlong(asked, back)});
   } else {
-    const Vec6 driven =
-        other >= 0 ? Vec6(factor.solve(-onOther * all_[other])) : Vec6(Vec6::Zero());
-    bolts_.push_back({next, mayBreak, driven + asked, driven});
+    Vec6 moved = Vec6::Zero();
+    if (other >= 0) moved = factor.solve(-onOther * ofMovers_[other]);
+    bolts_.push_back({next, moverOf(other), mayBreak, factor.solve(target), moved});
   }
 }
 
@@ -103,12 +109,12 @@ void WeldedBodies::spread(const Group& group, int root) {
       rootOf_[weld.to] = root;
       partOf_[weld.to] = partOf_[root];
       const Vec3 way = centreOf(group, weld.to) - centreOf(group, at);
-      all_[weld.to] = goingAlong(all_[at], way) + weld.target;
-      ofDrives_[weld.to] = goingAlong(ofDrives_[at], way);
+      moverOf_[weld.to] = moverOf_[root];
+      ofErrors_[weld.to] = goingAlong(ofErrors_[at], way) + weld.target;
+      ofMovers_[weld.to] = goingAlong(ofMovers_[at], way);
       found_.push_back(weld.to);
     }
   }
-  surplus_[root] = -static_cast<int>(found_.size());
 }
 
 /// Makes one body of those that have been found.
@@ -144,23 +150,18 @@ void WeldedBodies::close(const Group& group) {
   for (const Bolt& bolt : bolts_) {
     if (rootOf_[bolt.body] != none) continue;
     partOf_[bolt.body] = none;
-    all_[bolt.body] = bolt.all;
-    ofDrives_[bolt.body] = bolt.ofDrives;
+    moverOf_[bolt.body] = bolt.mover;
+    ofErrors_[bolt.body] = bolt.ofErrors;
+    ofMovers_[bolt.body] = bolt.ofMovers;
     spread(group, bolt.body);
   }
   for (const Weld& weld : welds_) {
     if (rootOf_[weld.from] != none) continue;
     spread(group, weld.from);
     unite(group, weld.from);
-    ++surplus_[weld.from];  // as if the root were bolted
   }
-  const auto note = [&](int body, bool mayBreak) {
-    mayBreak_[rootOf_[body]] |= mayBreak;
-    ++surplus_[rootOf_[body]];
-  };
-  for (const Bolt& bolt : bolts_) note(bolt.body, bolt.mayBreak);
-  for (const Weld& weld : welds_)
-    if (weld.from < weld.to) note(weld.from, weld.mayBreak);
+  for (const Bolt& bolt : bolts_) mayBreak_[rootOf_[bolt.body]] |= bolt.mayBreak;
+  for (const Weld& weld : welds_) mayBreak_[rootOf_[weld.from]] |= weld.mayBreak;
 }
 
 Vec6 WeldedBodies::onPart(int body, const Vec6& impulse) const {

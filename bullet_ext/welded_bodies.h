@@ -5,7 +5,6 @@
 
 #include "bullet_ext/impulse_span.h"
 #include "delassus/body.h"
-#include "delassus/row.h"
 
 namespace delassus::bullet {
 
@@ -38,16 +37,6 @@ class WeldedBodies {
   }
   /// The same, whatever load the welds must carry.
   bool areWeldedForGood(int a, int b) const { return areWelded(a, b) && !mayBreak_[rootOf_[a]]; }
-  /// Whether more joints link a welded body's part than it needs: these may contradict each other.
-  bool isOverdetermined(int body) const { return surplus_[rootOf_[body]] > 0; }
-  /// Call it for each joint within a part that is no weld.
-  void addSurplus(const Row& row) {
-    for (const int body : {row.a, row.b}) {
-      if (body < 0 || rootOf_[body] == none) continue;
-      ++surplus_[rootOf_[body]];
-      return;
-    }
-  }
   /// Whether welds hold the body to the world, or to something that is moved.
   bool isBolted(int body) const {
     return body >= 0 && rootOf_[body] != none && partOf_[body] == none;
@@ -58,12 +47,15 @@ class WeldedBodies {
   /// a part, all of its velocity.
   ImpulseSpan::Wanted asked(int body, const Vec6& impulse) const {
     if (body < 0) return {};
-    return {impulse.dot(all_[body]), impulse.dot(ofDrives_[body])};
+    return {impulse.dot(ofErrors_[body]), 0, impulse.dot(ofMovers_[body])};
   }
-  /// The velocity that something moved gives to a point of a body without a part, m/s.
-  Vec3 drivenAt(int body, const Vec3& arm) const {
+  /// For a body without a part, what nothing can stop and holds it: itself, or what it is welded
+  /// to; none for the fixed world.
+  int moverOf(int body) const { return body >= 0 ? moverOf_[body] : none; }
+  /// The velocity that this gives to a point of the body, m/s.
+  Vec3 movedAt(int body, const Vec3& arm) const {
     if (body < 0) return Vec3::Zero();
-    return ofDrives_[body].head<3>() + ofDrives_[body].tail<3>().cross(arm);
+    return ofMovers_[body].head<3>() + ofMovers_[body].tail<3>().cross(arm);
   }
   std::size_t bytes() const;
 
@@ -76,19 +68,18 @@ class WeldedBodies {
   };
   /// What a body does that is welded to something without a part.
   struct Bolt {
-    int body;
+    int body, mover;
     bool mayBreak;
-    Vec6 all, ofDrives;
+    Vec6 ofErrors, ofMovers;
   };
   void spread(const Group& group, int root);
   void unite(const Group& group, int root);
 
   std::vector<Body> parts_;
-  std::vector<int> partOf_, rootOf_;
+  std::vector<int> partOf_, rootOf_, moverOf_;
   std::vector<char> mayBreak_;    ///< of the roots
-  std::vector<int> surplus_;      ///< of the roots: joints that their parts do not need
   std::vector<Vec3> fromCentre_;  ///< of the part to that of the body, m
-  std::vector<Vec6> all_, ofDrives_;
+  std::vector<Vec6> ofErrors_, ofMovers_;
 
   std::vector<Weld> welds_;  ///< each from both of its bodies
   std::vector<Bolt> bolts_;

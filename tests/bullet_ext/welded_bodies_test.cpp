@@ -4,11 +4,14 @@
 
 #include <BulletDynamics/ConstraintSolver/btFixedConstraint.h>
 #include <BulletDynamics/ConstraintSolver/btGeneric6DofSpring2Constraint.h>
+#include <BulletDynamics/ConstraintSolver/btHingeConstraint.h>
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>
+#include <cmath>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -23,7 +26,7 @@ namespace {
 constexpr double g = BulletWorld::gravity;
 
 /// A weld of bodies that do not collide.
-btFixedConstraint& addWeld(DelassusWorld& world, btRigidBody& a, btRigidBody& b) {
+btFixedConstraint& addWeld(BulletWorld& world, btRigidBody& a, btRigidBody& b) {
   a.setIgnoreCollisionCheck(&b, true);
   return world.addJoint<btFixedConstraint>(
       a, b, a.getWorldTransform().inverse() * b.getWorldTransform(), btTransform::getIdentity());
@@ -50,7 +53,7 @@ int notSolvedOf(DelassusWorld& world) {
   return world.report().incompatible + world.report().outOfBudget;
 }
 
-double fastestOf(DelassusWorld& world) {
+double fastestOf(BulletWorld& world) {
   double most = 0;
   for (int i = 0; i < world->getNumCollisionObjects(); ++i)
     if (const auto* body = btRigidBody::upcast(world->getCollisionObjectArray()[i]))
@@ -130,10 +133,10 @@ TEST(WeldedBodies, WeldsAskForWhatMendsThem) {
   const auto expectAsked = [&](int body, double error) {
     const bullet::ImpulseSpan::Wanted rise = three.welded.asked(body, up),
                                       drift = three.welded.asked(body, along);
-    EXPECT_NEAR(rise.all, -perSecond * error, 1e-4) << body;
-    EXPECT_NEAR(rise.ofDrives, 0, 1e-6) << body;
-    EXPECT_NEAR(drift.all, 2, 1e-4) << body;
-    EXPECT_NEAR(drift.ofDrives, 2, 1e-4) << body;
+    EXPECT_NEAR(rise.ofErrors, -perSecond * error, 1e-4) << body;
+    EXPECT_NEAR(rise.ofMovers, 0, 1e-6) << body;
+    EXPECT_NEAR(drift.ofErrors, 0, 1e-4) << body;
+    EXPECT_NEAR(drift.ofMovers, 2, 1e-4) << body;
   };
   expectAsked(1, errorA);
   expectAsked(2, errorB);
@@ -227,10 +230,9 @@ TEST(WeldedBodies, AWheelTurnsInTheFenderOfALargeCar) {
     }
 }
 
-// Few sweeps: a wall of bricks that are welded in one line, row by row, each of which overlaps
-// its neighbours.
-TEST(WeldedBodies, AWallOfOneLineStandsWithFewSweeps) {
-  DelassusWorld world(Options::bounded(10));
+/// The fastest that any brick gets within a second in a wall of bricks on the ground that are
+/// welded in one line, row by row, each of which overlaps its neighbours.
+double fastestInWall(BulletWorld& world) {
   world.addGround();
   constexpr int side = 4;
   btRigidBody* last = nullptr;
@@ -242,10 +244,111 @@ TEST(WeldedBodies, AWallOfOneLineStandsWithFewSweeps) {
       if (last) addWeld(world, *last, brick);
       last = &brick;
     }
+  double fastest = 0;
   for (int step = 0; step < 60; ++step) {
     world.advance();
-    ASSERT_LT(fastestOf(world), tolerance(1e-8, 0.05)) << step;
+    fastest = std::max(fastest, fastestOf(world));
   }
+  return fastest;
+}
+
+// Few sweeps do not reach rest; ours are much nearer to it than Bullet's.
+TEST(WeldedBodies, AWallOfOneLineStandsWithFewSweeps) {
+  constexpr int sweeps = 10;
+  DelassusWorld world(Options::bounded(sweeps));
+  StockWorld stock(sweeps);
+  EXPECT_LT(fastestInWall(world), 0.2 * fastestInWall(stock));
+}
+
+// A free wall of bricks that turns, each overlapping its neighbours, welded in one line by welds
+// that may break: nothing loads them.
+TEST(WeldedBodies, ContactsWithinATurningWallLoadNoWeld) {
+  for (const double overlap : {1e-3, 0.02}) {
+    SCOPED_TRACE(overlap);
+    DelassusWorld world;
+    world->setGravity({0, 0, 0});
+    const auto pitch = btScalar(0.5 - overlap), half = btScalar(0.25);
+    const btVector3 spin = btScalar(0.5) * btVector3(1, 2, 3).normalized(), centre(pitch, pitch, 0);
+    std::vector<btFixedConstraint*> welds;
+    btRigidBody* last = nullptr;
+    for (int y = 0; y < 3; ++y)
+      for (int i = 0; i < 3; ++i) {
+        const int x = y % 2 == 0 ? i : 2 - i;
+        const btVector3 at(pitch * x, pitch * y, 0);
+        btRigidBody& brick = world.addBox({half, half, half}, at, 2);
+        brick.setAngularVelocity(spin);
+        brick.setLinearVelocity(spin.cross(at - centre));
+        if (last) {
+          welds.push_back(&addWeld(world, *last, brick));
+          welds.back()->setBreakingImpulseThreshold(200);
+          last->setIgnoreCollisionCheck(&brick, false);
+        }
+        last = &brick;
+      }
+    for (int step = 0; step < 120; ++step) {
+      world.advance();
+      ASSERT_EQ(notSolvedOf(world), 0) << step;
+      for (const btFixedConstraint* weld : welds)
+        ASSERT_LT(std::abs(weld->getAppliedImpulse()), 1) << step;
+    }
+    EXPECT_GT(world.report().contacts, 0);
+    world.clear();
+  }
+}
+
+// A block and a post with a door, bolted to a platform that moves, which all of them overlap: the
+// motion of the platform is theirs, and drives none of them against it. (Bullet moves the platform
+// before the step.)
+TEST(WeldedBodies, WhatStandsOnAMovedPlatformGoesAlong) {
+  const auto about = [](double x, double y, double z, double angle) {
+    return btTransform(
+        btQuaternion(btVector3(btScalar(x), btScalar(y), btScalar(z)), btScalar(angle)));
+  };
+  const std::vector<std::function<btTransform(double)>> motions = {
+      [&](double t) {
+        return DelassusWorld::at({0, btScalar(0.2 * std::sin(t)), 0});
+      },
+      [&](double t) {
+        return DelassusWorld::at({btScalar(0.3 * std::sin(t)), 0, 0});
+      },
+      [&](double t) { return about(0, 1, 0, 0.5 * t); },
+      [&](double t) { return about(0, 0, 1, 0.2 * std::sin(t)); },
+      [&](double t) { return about(1, 0, 0, 1e-7 * t); },
+  };
+  for (std::size_t k = 0; k < motions.size(); ++k)
+    for (const double overlap : {1e-3, 0.01}) {
+      SCOPED_TRACE("motion " + std::to_string(k) + ", overlap " + std::to_string(overlap));
+      DelassusWorld world;
+      const auto top = btScalar(0.1 - overlap);
+      btRigidBody& platform = world.addBox({4, btScalar(0.1), 4}, {0, 0, 0}, 0);
+      platform.setCollisionFlags(btCollisionObject::CF_KINEMATIC_OBJECT);
+      platform.setActivationState(DISABLE_DEACTIVATION);
+      btRigidBody &block = world.addBox({btScalar(0.3), btScalar(0.3), btScalar(0.3)},
+                                        {2, top + btScalar(0.3), 1}, 20),
+                  &post = world.addBox({btScalar(0.05), 1, btScalar(0.05)},
+                                       {btScalar(-0.55), top + 1, 0}, 50),
+                  &door = world.addBox({btScalar(0.5), 1, btScalar(0.04)}, {0, top + 1, 0}, 20);
+      std::vector<btFixedConstraint*> bolts;
+      for (btRigidBody* body : {&block, &post}) {
+        bolts.push_back(&world.addJoint<btFixedConstraint>(
+            platform, *body, body->getWorldTransform(), btTransform::getIdentity()));
+        bolts.back()->setBreakingImpulseThreshold(500);
+      }
+      door.setIgnoreCollisionCheck(&post, true);
+      world.addJoint<btHingeConstraint>(post, door, btVector3(btScalar(0.05), 0, 0),
+                                        btVector3(btScalar(-0.5), 0, 0), btVector3(0, 1, 0),
+                                        btVector3(0, 1, 0));
+      door.setAngularVelocity({0, 2, 0});
+      door.setLinearVelocity({0, 0, -1});
+      for (int step = 0; step < 60; ++step) {
+        platform.setWorldTransform(motions[k]((step + 1) * BulletWorld::step));
+        world.advance();
+        ASSERT_EQ(notSolvedOf(world), 0) << step;
+      }
+      for (const btFixedConstraint* bolt : bolts) EXPECT_TRUE(bolt->isEnabled());
+      EXPECT_GT((door.getAngularVelocity() - platform.getAngularVelocity()).length(), 1.5);
+      world.clear();
+    }
 }
 
 /// A machine on the ground: a base with a block on it, and an arm above the block, on a post.
