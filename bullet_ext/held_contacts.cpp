@@ -226,6 +226,7 @@ int HeldContacts::moverOf(int body) {
 /// Whether only one thing that nothing can stop holds the two bodies: its motion is theirs.
 bool HeldContacts::haveOneMover(const Contact& contact) {
   const int ofA = moverOf(contact.a), ofB = moverOf(contact.b);
+  if (ofA == manyMovers || ofB == manyMovers) return false;
   return ofA == ofB || ofA == noMover || ofB == noMover;
 }
 

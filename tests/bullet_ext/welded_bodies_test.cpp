@@ -5,6 +5,7 @@
 #include <BulletDynamics/ConstraintSolver/btFixedConstraint.h>
 #include <BulletDynamics/ConstraintSolver/btGeneric6DofSpring2Constraint.h>
 #include <BulletDynamics/ConstraintSolver/btHingeConstraint.h>
+#include <BulletDynamics/ConstraintSolver/btSliderConstraint.h>
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -411,6 +412,48 @@ TEST(DrivesAndErrors, WhatAHandHasDrawnTogetherStaysApart) {
     hand.setWorldTransform(handAt(0.6 * std::min(step, 120) / 120));
     in.world.advance();
     ASSERT_GT(in.tip(), Machine::blockTop - 0.05) << step;
+  }
+}
+
+// Two platforms close on each other, each with a link on a hinge. A slider between the links lets
+// them close until a plate on one of them meets the other: nothing then gives way.
+TEST(DrivesAndErrors, WhatStandsOnTwoMoversIsPressed) {
+  DelassusWorld world;
+  world->setGravity({0, 0, 0});
+  btRigidBody *platforms[2], *links[2];
+  const auto reach = btScalar(0.35);
+  const auto placeOf = [](int i, double closer) {
+    return DelassusWorld::at({btScalar((i == 0 ? -1 : 1) * (1 - closer)), 0, 0});
+  };
+  for (int i = 0; i < 2; ++i) {
+    const btScalar side = i == 0 ? -1 : 1;
+    platforms[i] = &world.addBox({btScalar(0.1), 0.5, 0.5}, placeOf(i, 0).getOrigin(), 0);
+    platforms[i]->setCollisionFlags(btCollisionObject::CF_KINEMATIC_OBJECT);
+    links[i] = &world.addBox({btScalar(0.2), btScalar(0.1), btScalar(0.1)},
+                             {btScalar(0.45) * side, 0, 0}, 5);
+    platforms[i]->setIgnoreCollisionCheck(links[i], true);
+    world.addJoint<btHingeConstraint>(
+        *platforms[i], *links[i], btVector3(btScalar(-0.2) * side, 0, 0),
+        btVector3(reach * side, 0, 0), btVector3(0, 0, 1), btVector3(0, 0, 1));
+  }
+  btRigidBody& plate =
+      world.addBox({btScalar(0.1), btScalar(0.1), btScalar(0.1)}, {btScalar(0.15), 0, 0}, 1);
+  addWeld(world, *links[1], plate);
+  links[0]->setIgnoreCollisionCheck(links[1], true);
+  auto& slider = world.addJoint<btSliderConstraint>(
+      *links[0], *links[1], DelassusWorld::at({btScalar(0.3), 0, 0}),
+      DelassusWorld::at({btScalar(-0.3), 0, 0}), true);
+  slider.setLowerLinLimit(-1);
+  slider.setUpperLinLimit(1);
+  slider.setLowerAngLimit(0);
+  slider.setUpperAngLimit(0);
+  constexpr double speed = 0.1, free = 0.3;
+  for (int step = 1; step <= 120; ++step) {
+    const double closer = speed * BulletWorld::step * step, overlap = 2 * closer - free;
+    for (int i = 0; i < 2; ++i) platforms[i]->setWorldTransform(placeOf(i, closer));
+    world.advance();
+    if (overlap < -0.01) ASSERT_EQ(notSolvedOf(world), 0) << step;
+    if (overlap > 0.01) ASSERT_GT(notSolvedOf(world), 0) << step;
   }
 }
 
