@@ -72,8 +72,8 @@ double longerArm(const Group& group, const Contact& contact) {
 
 std::size_t HeldContacts::bytes() const {
   std::size_t sum = welded_.bytes() + machines_.bytes() + links_.bytes() + paths_.bytes() +
-                    bytesOf(holds_, mechanisms_, numberOf_, candidates_, spare_, spans_, ofPush_,
-                            ofRow_, onLink_, firstOnLink_);
+                    bytesOf(holds_, mechanisms_, numberOf_, candidates_, spare_, shares_, spans_,
+                            ofPush_, ofRow_, onLink_, firstOnLink_);
   for (const ImpulseSpan& span : spans_) sum += span.bytes();
   return sum;
 }
@@ -317,6 +317,7 @@ int HeldContacts::soften(Group& group, const btContactSolverInfo& info, bool lea
   if (candidates_.empty()) return 0;
   sortHolds();
   hasWays_ = false;
+  shares_.assign(group.bodies.size(), false);
   int count = 0;
   for (const int i : candidates_) {
     Contact& contact = group.contacts[i];
@@ -341,12 +342,15 @@ int HeldContacts::soften(Group& group, const btContactSolverInfo& info, bool lea
       asked = std::min(asked, held == Held::Along ? 0 : apart);
     push = 0;
     if (held == Held::Wholly && !areOfOne(group, contact)) continue;
-    const bool isSpare = leavesOutWelded && welded_.areWelded(contact.a, contact.b);
-    const double give = held == Held::Along                ? softness
-                        : held == Held::ByLimit || isSpare ? joinedSoftness
-                                                           : loopSoftness;
+    const bool sharesLoad = leavesOutWelded && welded_.areWelded(contact.a, contact.b);
+    if (sharesLoad) shares_[welded_.rootOf(contact.a)] = true;
+    const double give = held == Held::Along     ? softness
+                        : held == Held::ByLimit ? joinedSoftness
+                        : sharesLoad            ? sharedSoftness
+                                                : loopSoftness;
     contact.compliance = std::max(contact.compliance, give * lesserResponse(group, contact));
   }
+  softenWelds(group);
   leaveOut(spare_, group);
   return count;
 }

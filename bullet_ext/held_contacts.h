@@ -53,7 +53,7 @@ struct Group;
 /// Bodies that welds hold together (WeldedBodies) count as one, and as the world if they are welded
 /// to it. Where no weld of such a body may break, contacts between its parts may be left out: the
 /// motion is the same without them, and the welds carry their loads. Where one may, they stay for
-/// what comes after it, and give by joinedSoftness: what is left to them breaks no weld.
+/// what comes after it, and the welds and they give by sharedSoftness.
 ///
 /// What stands on one moved thing goes along with it: that neither drives its contacts with the
 /// thing nor those between its links, and the thing counts as one of these, as it is ahead of the
@@ -112,6 +112,7 @@ class HeldContacts {
   Impulse impulseOf(const Contact& contact, int axis = 0) const;
   Impulse turnOf(const Contact& contact, int axis) const;
   void collectWelds(const Group& group);
+  void softenWelds(Group& group) const;
   void collect(const Group& group, double h);
   void collectStrongMotors(const Group& group, double h);
   /// The mechanism of a part; −1 if nothing holds it.
@@ -141,9 +142,10 @@ class HeldContacts {
   DisjointSets links_;     ///< parts that rows link
   std::vector<Hold> holds_;
   std::vector<Mechanism> mechanisms_;
-  std::vector<int> numberOf_;       ///< of the mechanism of each root; −1: none
-  std::vector<int> candidates_;     ///< contacts
-  std::vector<int> spare_;          ///< those that are left out
+  std::vector<int> numberOf_;    ///< of the mechanism of each root; −1: none
+  std::vector<int> candidates_;  ///< contacts
+  std::vector<int> spare_;       ///< those that are left out
+  std::vector<char> shares_;     ///< of the roots of welded bodies: welds and contacts share loads
   std::vector<ImpulseSpan> spans_;  ///< storage is used again
   int spansUsed_ = 0;
   std::vector<double> ofPush_, ofRow_;  ///< coordinates

@@ -1,4 +1,5 @@
 /// What holds: rows that hold their bodies rigidly, and the mechanisms that they make.
+#include <algorithm>
 #include <cmath>
 
 #include "BulletDynamics/ConstraintSolver/btTypedConstraint.h"
@@ -7,6 +8,7 @@
 #include "bullet_ext/group.h"
 #include "bullet_ext/held_contacts.h"
 #include "bullet_ext/joint_drives.h"
+#include "bullet_ext/softness.h"
 #include "delassus/contact_motion.h"
 
 namespace delassus::bullet {
@@ -92,6 +94,20 @@ void HeldContacts::collectWelds(const Group& group) {
     if (group.isRigid(row.a) && group.isRigid(row.b)) machines_.join(row.a, row.b);
   }
   welded_.close(group);
+}
+
+/// Softens the welds of bodies that share loads with their contacts.
+void HeldContacts::softenWelds(Group& group) const {
+  for (const JointSource& joint : group.joints) {
+    if (!isWeld(group, joint)) continue;
+    const Row& first = group.rows[joint.firstRow];
+    const int root = welded_.rootOf(welded_.rootOf(first.a) != none ? first.a : first.b);
+    if (root == none || !shares_[root]) continue;
+    for (int k = joint.firstRow; k < joint.firstRow + joint.rowCount; ++k) {
+      Row& row = group.rows[k];
+      row.compliance = std::max(row.compliance, sharedSoftness * diagonal(group.bodies, row));
+    }
+  }
 }
 
 /// Collects the rows that hold, and the mechanisms that they make.

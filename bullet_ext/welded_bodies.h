@@ -32,9 +32,10 @@ class WeldedBodies {
   /// Which body that is; none for the world, what is welded to it, and limbs.
   int partOf(int body) const { return body >= 0 ? partOf_[body] : none; }
   /// Whether welds hold two bodies together, and not only by the world.
-  bool areWelded(int a, int b) const {
-    return a >= 0 && b >= 0 && rootOf_[a] != none && rootOf_[a] == rootOf_[b];
-  }
+  bool areWelded(int a, int b) const { return rootOf(a) != none && rootOf(a) == rootOf(b); }
+  /// One of the bodies that welds hold together with this one, the same for all of them; none if no
+  /// weld holds it.
+  int rootOf(int body) const { return body >= 0 ? rootOf_[body] : none; }
   /// The same, whatever load the welds must carry.
   bool areWeldedForGood(int a, int b) const { return areWelded(a, b) && !mayBreak_[rootOf_[a]]; }
   /// Whether welds hold the body to the world, or to something that is moved.
