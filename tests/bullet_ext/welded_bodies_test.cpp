@@ -481,8 +481,8 @@ TEST(DrivesAndErrors, WhatStandsOnTwoMoversIsPressed) {
     const double closer = speed * BulletWorld::step * step, overlap = 2 * closer - free;
     for (int i = 0; i < 2; ++i) platforms[i]->setWorldTransform(placeOf(i, closer));
     world.advance();
-    if (overlap < -0.01) ASSERT_EQ(notSolvedOf(world), 0) << step;
-    if (overlap > 0.01) ASSERT_GT(notSolvedOf(world), 0) << step;
+    if (std::abs(overlap) < 0.01) continue;
+    EXPECT_EQ(notSolvedOf(world) > 0, overlap > 0) << step;
   }
 }
 
