@@ -63,9 +63,9 @@ struct IslandMarks {
   /// Steps in a row that quarrelled (quarrels.h) and whose exact answer was not found, or not
   /// sought.
   int quarrelSteps = 0;
-  int loadedSteps = 0;  ///< steps in a row that looked like a quarrel and were none
-  int lostSteps = 0;    ///< steps in a row that ended out of budget
-  double lost = 0;      ///< residual, m/s, that the last whole search of these steps left
+  int loadedSteps = 0;      ///< steps in a row that looked like a quarrel and were none
+  int lostSteps = 0;        ///< steps in a row that ended out of budget
+  double lostResidual = 0;  ///< m/s, that the last whole search of these steps left
   bool any() const {
     return isRestless || isJammed || quarrelSteps > 0 || loadedSteps > 0 || lostSteps > 0;
   }
@@ -75,13 +75,13 @@ struct IslandMarks {
     quarrelSteps = std::max(quarrelSteps, other.quarrelSteps);
     loadedSteps = std::max(loadedSteps, other.loadedSteps);
     if (other.lostSteps == 0) return;
-    lost = lostSteps == 0 ? other.lost : std::min(lost, other.lost);
+    lostResidual = lostSteps == 0 ? other.lostResidual : std::min(lostResidual, other.lostResidual);
     lostSteps = std::max(lostSteps, other.lostSteps);
   }
   bool operator==(const IslandMarks& other) const {
     return isRestless == other.isRestless && isJammed == other.isJammed &&
            quarrelSteps == other.quarrelSteps && loadedSteps == other.loadedSteps &&
-           lostSteps == other.lostSteps && lost == other.lost;
+           lostSteps == other.lostSteps && lostResidual == other.lostResidual;
   }
 };
 

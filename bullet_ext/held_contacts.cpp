@@ -235,7 +235,7 @@ bool HeldContacts::haveOneMover(const Contact& contact) {
 bool HeldContacts::areDriven(const Group& group, const Contact& contact, const Wanted& wanted,
                              double overlap, const btContactSolverInfo& info) {
   if (welded_.areWelded(contact.a, contact.b)) return false;
-  const double h = info.m_timeStep, arm = longerArm(group, contact), harmless = still * arm / h;
+  const double arm = longerArm(group, contact), harmless = still * arm / group.h;
   // What drives on lets the overlap grow.
   const double deep = std::max(1.0, overlap / (play * arm)), patience = 1 / (deep * deep);
   if (wanted.ofDrives < -harmless * patience) return true;
@@ -247,7 +247,7 @@ bool HeldContacts::areDriven(const Group& group, const Contact& contact, const W
   // Joints mend their errors, which decays.
   const double mends = wanted.ofErrors + wanted.ofDrives;
   if (!areOfOne(group, contact)) return mends < -harmless;
-  const double error = -mends * h / info.m_erp;
+  const double error = -mends * group.h / info.m_erp;
   return error > play * arm && overlap + error > fit * arm;
 }
 
@@ -306,9 +306,42 @@ bool HeldContacts::isWhollyHeld(const Group& group, const Contact& contact) {
   return true;
 }
 
+/// Answers a contact as what it is. Returns whether it is held.
+bool HeldContacts::answer(Group& group, int i, const btContactSolverInfo& info,
+                          bool leavesOutWelded) {
+  Contact& contact = group.contacts[i];
+  double &asked = contact.target[0], &push = group.pushes[i], apart = 0;
+  const PointSource& source = group.contactSources[i];
+  const btManifoldPoint& point = source.manifold->getContactPoint(source.point);
+  const Held held = judge(group, contact, std::max(asked, push), -point.getDistance(), info, apart);
+  if (held == Held::No) return false;
+  if (leavesOutWelded && welded_.areWeldedForGood(contact.a, contact.b)) {
+    spare_.push_back(i);
+    return true;
+  }
+  if (held == Held::Grazing) {
+    letOverlap(point, info, play * longerArm(group, contact), contact, push);
+    return true;
+  }
+  if (held == Held::ByLimit)
+    asked += push;
+  else
+    asked = std::min(asked, held == Held::Along ? 0 : apart);
+  push = 0;
+  if (held == Held::Wholly && !areOfOne(group, contact)) return true;
+  const bool sharesLoad = leavesOutWelded && welded_.areWelded(contact.a, contact.b);
+  if (sharesLoad) shares_[welded_.rootOf(contact.a)] = true;
+  const double give = held == Held::Along     ? softness
+                      : held == Held::ByLimit ? joinedSoftness
+                      : sharesLoad            ? sharedSoftness
+                                              : loopSoftness;
+  contact.compliance = std::max(contact.compliance, give * lesserResponse(group, contact));
+  return true;
+}
+
 int HeldContacts::soften(Group& group, const btContactSolverInfo& info, bool leavesOutWelded) {
   if (group.contacts.empty() || group.joints.empty()) return 0;
-  collect(group, info.m_timeStep);
+  collect(group);
   if (holds_.empty() && welded_.empty()) return 0;
   candidates_.clear();
   spare_.clear();
@@ -319,37 +352,7 @@ int HeldContacts::soften(Group& group, const btContactSolverInfo& info, bool lea
   hasWays_ = false;
   shares_.assign(group.bodies.size(), false);
   int count = 0;
-  for (const int i : candidates_) {
-    Contact& contact = group.contacts[i];
-    double &asked = contact.target[0], &push = group.pushes[i], apart = 0;
-    const PointSource& source = group.contactSources[i];
-    const btManifoldPoint& point = source.manifold->getContactPoint(source.point);
-    const Held held =
-        judge(group, contact, std::max(asked, push), -point.getDistance(), info, apart);
-    if (held == Held::No) continue;
-    ++count;
-    if (leavesOutWelded && welded_.areWeldedForGood(contact.a, contact.b)) {
-      spare_.push_back(i);
-      continue;
-    }
-    if (held == Held::Grazing) {
-      letOverlap(point, info, play * longerArm(group, contact), contact, push);
-      continue;
-    }
-    if (held == Held::ByLimit)
-      asked += push;
-    else
-      asked = std::min(asked, held == Held::Along ? 0 : apart);
-    push = 0;
-    if (held == Held::Wholly && !areOfOne(group, contact)) continue;
-    const bool sharesLoad = leavesOutWelded && welded_.areWelded(contact.a, contact.b);
-    if (sharesLoad) shares_[welded_.rootOf(contact.a)] = true;
-    const double give = held == Held::Along     ? softness
-                        : held == Held::ByLimit ? joinedSoftness
-                        : sharesLoad            ? sharedSoftness
-                                                : loopSoftness;
-    contact.compliance = std::max(contact.compliance, give * lesserResponse(group, contact));
-  }
+  for (const int i : candidates_) count += answer(group, i, info, leavesOutWelded);
   softenWelds(group);
   leaveOut(spare_, group);
   return count;

@@ -113,8 +113,8 @@ class HeldContacts {
   Impulse turnOf(const Contact& contact, int axis) const;
   void collectWelds(const Group& group);
   void softenWelds(Group& group) const;
-  void collect(const Group& group, double h);
-  void collectStrongMotors(const Group& group, double h);
+  void collect(const Group& group);
+  void collectStrongMotors(const Group& group);
   /// The mechanism of a part; −1 if nothing holds it.
   int mechanismOf(int part) { return numberOf_[links_.root(part)]; }
   bool hasTooMany(int mechanism) const { return mechanisms_[mechanism].rows > mostRows; }
@@ -136,6 +136,7 @@ class HeldContacts {
   Held judge(const Group& group, const Contact& contact, double asked, double overlap,
              const btContactSolverInfo& info, double& apart);
   bool isWhollyHeld(const Group& group, const Contact& contact);
+  bool answer(Group& group, int i, const btContactSolverInfo& info, bool leavesOutWelded);
 
   WeldedBodies welded_;
   DisjointSets machines_;  ///< bodies that anything but the world links

@@ -16,7 +16,7 @@ namespace {
 
 /// The impulse with which the row alone turns its bodies within the step by a radian, or moves them
 /// by their radius of gyration.
-double impulseOfWelds(const Group& group, const Row& row, double h) {
+double impulseOfWelds(const Group& group, const Row& row) {
   double way = 1;
   if (!turns(row)) {
     double linear = 0, angular = 0;
@@ -27,7 +27,7 @@ double impulseOfWelds(const Group& group, const Row& row, double h) {
     }
     way = std::sqrt(linear / angular);
   }
-  return way / (h * diagonal(group.bodies, row));
+  return way / (group.h * diagonal(group.bodies, row));
 }
 
 /// In which directions the row holds its bodies rigidly, not as springs or motors do.
@@ -111,7 +111,7 @@ void HeldContacts::softenWelds(Group& group) const {
 }
 
 /// Collects the rows that hold, and the mechanisms that they make.
-void HeldContacts::collect(const Group& group, double h) {
+void HeldContacts::collect(const Group& group) {
   collectWelds(group);
   const auto bodies = static_cast<int>(group.bodies.size());
   links_.reset(bodies);
@@ -146,11 +146,11 @@ void HeldContacts::collect(const Group& group, double h) {
     if (hold.a == none) mechanisms_[number].standOn(welded_.moverOf(row.a));
     if (hold.b == none) mechanisms_[number].standOn(welded_.moverOf(row.b));
   }
-  collectStrongMotors(group, h);
+  collectStrongMotors(group);
 }
 
 /// Adds the motors of mechanisms that do not stand which are as strong as welds.
-void HeldContacts::collectStrongMotors(const Group& group, double h) {
+void HeldContacts::collectStrongMotors(const Group& group) {
   for (const JointSource& joint : group.joints)
     for (int k = joint.firstRow; k < joint.firstRow + joint.rowCount; ++k) {
       const Row& row = group.rows[k];
@@ -158,7 +158,7 @@ void HeldContacts::collectStrongMotors(const Group& group, double h) {
       if (a == none || b == none || a == b || waysOf(joint, row).any()) continue;
       const int number = mechanismOf(a);
       if (number == none || number != mechanismOf(b) || mechanisms_[number].stands()) continue;
-      const Ways ways = Ways::of(joint, row, impulseOfWelds(group, row, h));
+      const Ways ways = Ways::of(joint, row, impulseOfWelds(group, row));
       if (!ways.any()) continue;
       holds_.push_back({k, a, b, ways.up, ways.down, true, true, number});
       ++mechanisms_[number].rows;

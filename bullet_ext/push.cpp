@@ -107,11 +107,8 @@ void solve(const Group& group, Workshop& workshop, Pushes& pushes) {
         pushIsland(island, pushes.contacts, bench, pushes);
         if (!throwsOne(pushes, island)) return;
         pushes.isSoftened[i] = 1;
-        bench.softContacts.resize(pushes.contacts.size());
-        for (const int k : island.frictionless) {
-          bench.softContacts[k] = pushes.contacts[k];
-          soften(pushes.bodies, bench.softContacts[k]);
-        }
+        bench.changeContacts(pushes.contacts, island,
+                             [&](Contact& contact) { soften(pushes.bodies, contact); });
         for (const int body : island.bodies) pushes.bodies[body].velocity.setZero();
         pushIsland(island, bench.softContacts, bench, pushes);
       });

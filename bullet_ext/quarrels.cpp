@@ -26,30 +26,19 @@ bool holds(const Group& group, int row, double reaction) {
   return isHard(group, row) && !drives(group, row, reaction > 0);
 }
 
-/// Calls use(row, its reaction).
-template <class Use>
-void eachRow(const Island& island, const VectorXd& r, const Use& use) {
-  auto at = static_cast<int>(r.size() - island.rows.size());
-  for (const int k : island.rows) use(k, r[at++]);
-}
-
 double strainOfContacts(const Group& group, const Island& island, const VectorXd& r) {
   double furthest = 0;
-  int at = 0;
-  const auto look = [&](int k, int unknowns) {
+  island.eachContactAt([&](int k, int at, int) {
     furthest = std::max(furthest, r[at] * diagonal(group.bodies, group.contacts[k], 0));
-    at += unknowns;
-  };
-  for (const int k : island.frictional) look(k, 3);
-  for (const int k : island.frictionless) look(k, 1);
+  });
   return furthest;
 }
 
 double strainOfJoints(const Group& group, const Island& island, const VectorXd& r) {
   double furthest = 0;
-  eachRow(island, r, [&](int k, double reaction) {
-    if (holds(group, k, reaction))
-      furthest = std::max(furthest, std::abs(reaction) * diagonal(group.bodies, group.rows[k]));
+  island.eachRowAt([&](int k, int at) {
+    if (holds(group, k, r[at]))
+      furthest = std::max(furthest, std::abs(r[at]) * diagonal(group.bodies, group.rows[k]));
   });
   return furthest;
 }
@@ -58,7 +47,8 @@ double strainOfJoints(const Group& group, const Island& island, const VectorXd& 
 bool breaksJoints(const Group& group, const Island& island, const VectorXd& r) {
   constexpr double rounding = 1e-9;
   bool breaks = false;
-  eachRow(island, r, [&](int k, double reaction) {
+  island.eachRowAt([&](int k, int at) {
+    const double reaction = r[at];
     const double bound = reaction > 0 ? group.rows[k].upper : -group.rows[k].lower;
     if (reaction != 0 && std::abs(reaction) >= (1 - rounding) * bound)
       breaks |= holds(group, k, reaction);
@@ -110,26 +100,19 @@ Quarrel quarrelOf(const Group& group, const Island& island, double demand,
 const Problem& recoveryProblem(const Group& group, const Island& island, Bench& bench) {
   // In the end, bodies rather leave their joints than lie in each other, as with stock.
   constexpr double contactSoftness = 1e-3, jointSoftness = 1e-2;
-  // What belongs to other islands is not read.
-  bench.softBodies.resize(group.bodies.size());
-  bench.softContacts.resize(group.contacts.size());
-  bench.softRows.resize(group.rows.size());
+  bench.softBodies.resize(group.bodies.size());  // those of other islands are not read
   const auto stop = [&](int body) {
     if (body == fixedWorld) return;
     bench.softBodies[body] = group.bodies[body];
     bench.softBodies[body].velocity.setZero();
   };
-  island.eachContact([&](int k) {
-    Contact& contact = bench.softContacts[k];
-    contact = group.contacts[k];
+  bench.changeContacts(group.contacts, island, [&](Contact& contact) {
     contact.friction = 0;
     contact.compliance += contactSoftness * lesserResponse(group, contact);
     stop(contact.a);
     stop(contact.b);
   });
-  for (const int k : island.rows) {
-    Row& row = bench.softRows[k];
-    row = group.rows[k];
+  bench.changeRows(group.rows, island, [&](Row& row, int k) {
     if (row.governor >= 0) {
       row.jacobianA.setZero();
       row.jacobianB.setZero();
@@ -143,7 +126,7 @@ const Problem& recoveryProblem(const Group& group, const Island& island, Bench& 
     }
     stop(row.a);
     stop(row.b);
-  }
+  });
   return bench.assembler.assemble(bench.softBodies, bench.softContacts, bench.softRows, island);
 }
 
@@ -158,23 +141,19 @@ void recover(const Group& group, const Island& island, const VectorXd& r, Bench&
 
 const Problem& recoveringProblem(const Group& group, const Island& island, Friction friction,
                                  Bench& bench) {
-  island.eachContact([&](int k) {
-    Contact& contact = bench.softContacts[k];
-    contact = group.contacts[k];
+  bench.changeContacts(group.contacts, island, [&](Contact& contact) {
     if (isSpring(group, contact)) return;
     const Vec3 reached = contact.frame.transpose() * slip(bench.softBodies, contact);
     contact.target[0] = std::min(contact.target[0], reached[0]);
     if (friction == Friction::OfOtherSlip) contact.target.tail<2>() += reached.tail<2>();
   });
-  for (const int k : island.rows) {
-    Row& row = bench.softRows[k];
-    row = group.rows[k];
-    if (!isHard(group, k) || isMotor(group, k)) continue;
+  bench.changeRows(group.rows, island, [&](Row& row, int k) {
+    if (!isHard(group, k) || isMotor(group, k)) return;
     const double reached = row.target + relativeVelocity(bench.softBodies, row);
     const bool isMet =
         row.lower == 0 ? reached > row.target : row.upper == 0 && reached < row.target;
     if (!isMet) row.target = reached;
-  }
+  });
   return bench.assembler.assemble(group.bodies, bench.softContacts, bench.softRows, island);
 }
 

@@ -43,11 +43,8 @@ VelocityResidual residualOf(const Group& group, const Island& island, const Vect
 
 /// The island's problem if its contacts give by this share of what `soften` gives.
 const Problem& softProblem(const Group& group, const Island& island, double share, Bench& bench) {
-  bench.softContacts.resize(group.contacts.size());  // those of other islands are not read
-  island.eachContact([&](int i) {
-    bench.softContacts[i] = group.contacts[i];
-    soften(group.bodies, bench.softContacts[i], share);
-  });
+  bench.changeContacts(group.contacts, island,
+                       [&](Contact& contact) { soften(group.bodies, contact, share); });
   return bench.assembler.assemble(group.bodies, bench.softContacts, group.rows, island);
 }
 
@@ -56,17 +53,11 @@ const Problem& softProblem(const Group& group, const Island& island, double shar
 /// for all: what they ask for is their force.
 const Problem& heldBackProblem(const Group& group, const Island& island, double share,
                                bool contactsGive, Bench& bench) {
-  bench.softRows.resize(group.rows.size());
-  for (const int k : island.rows) {
-    Row& row = bench.softRows[k];
-    row = group.rows[k];
-    if (row.governor >= 0 || drives(group, k, row.target > 0)) continue;
+  bench.changeRows(group.rows, island, [&](Row& row, int k) {
+    if (row.governor >= 0 || drives(group, k, row.target > 0)) return;
     if (!isSpring(group, row)) row.target *= share;
-  }
-  bench.softContacts.resize(group.contacts.size());
-  island.eachContact([&](int i) {
-    Contact& contact = bench.softContacts[i];
-    contact = group.contacts[i];
+  });
+  bench.changeContacts(group.contacts, island, [&](Contact& contact) {
     double& asked = contact.target[0];
     if (asked > 0 && !isSpring(group, contact)) asked *= share;
     if (contactsGive) soften(group.bodies, contact);
@@ -110,14 +101,10 @@ bool throwsBodies(const Group& group, const Island& island, Bench& bench) {
 /// open.
 double takenUp(const Group& group, const Island& island, const Solution& soft, const Bench& bench) {
   double sum = -soft.r.lpNorm<1>() * soft.residual / 2;
-  int at = 0;
-  const auto add = [&](int k, int unknowns) {
+  island.eachContactAt([&](int k, int at, int) {
     const double give = bench.softContacts[k].compliance - group.contacts[k].compliance;
     sum += give / 2 * soft.r[at] * soft.r[at];
-    at += unknowns;
-  };
-  for (const int k : island.frictional) add(k, 3);
-  for (const int k : island.frictionless) add(k, 1);
+  });
   return sum;
 }
 
@@ -199,12 +186,8 @@ bool answerRecovering(const Group& group, const Island& island, const Relief& re
 
 bool answerUnwedged(const Group& group, const Island& island, const Relief& relief, Bench& bench,
                     Answer& answer, IslandResult& result) {
-  bench.softContacts.resize(group.contacts.size());
   const auto assemble = [&](const auto& change) -> const Problem& {
-    island.eachContact([&](int i) {
-      bench.softContacts[i] = group.contacts[i];
-      change(bench.softContacts[i]);
-    });
+    bench.changeContacts(group.contacts, island, change);
     return bench.assembler.assemble(group.bodies, bench.softContacts, group.rows, island);
   };
   // A load strains without friction, too.

@@ -35,13 +35,10 @@ Part partAt(const Group& group, const Island& island, int unknown) {
 /// Collects the reactions of the island, in the order of its unknowns.
 void collectGuess(const Island& island, const Answer& answer, VectorXd& r) {
   r.resize(island.unknowns());
-  int at = 0;
-  for (int i : island.frictional) {
-    r.segment<3>(at) = answer.contacts[i];
-    at += 3;
-  }
-  for (int i : island.frictionless) r[at++] = answer.contacts[i][0];
-  for (int i : island.rows) r[at++] = answer.rows[i];
+  island.eachContactAt([&](int i, int at, int unknowns) {
+    r.segment(at, unknowns) = answer.contacts[i].head(unknowns);
+  });
+  island.eachRowAt([&](int i, int at) { r[at] = answer.rows[i]; });
 }
 
 Trouble troubleOf(Status status) {
@@ -120,7 +117,7 @@ bool isTurnOfWhole(int steps) { return (steps & (steps - 1)) == 0; }
 bool willDo(const Solution& solution, const IslandMarks& last) {
   constexpr double times = 4;
   return last.lostSteps > 0 && !isTurnOfWhole(last.lostSteps + 1) &&
-         solution.residual <= times * last.lost;
+         solution.residual <= times * last.lostResidual;
 }
 
 /// Puts on the bench the island's problem as it stands, and the guess from which its search begins.
@@ -142,7 +139,7 @@ void markLost(const Group& group, const Island& island, bool afterWhole, double 
   const IslandMarks last = marksOf(group, island);
   IslandMarks& marks = mark(group, island, result);
   marks.lostSteps = last.lostSteps + 1;
-  marks.lost = afterWhole ? residual : last.lost;
+  marks.lostResidual = afterWhole ? residual : last.lostResidual;
 }
 
 void markQuarrel(const Group& group, const Island& island, IslandResult& result) {
@@ -342,19 +339,18 @@ void solveIsland(const Group& group, const Island& island, Bench& bench, Answer&
 }
 
 void keepReactions(const Island& island, const Solution& solution, Answer& answer) {
-  int at = 0, state = 0;
-  for (int i : island.frictional) {
-    answer.contacts[i] = solution.r.segment<3>(at);
-    answer.modes[i] = solution.activeSet.contacts[at / 3];
-    at += 3;
-  }
-  for (int i : island.frictionless) {
-    answer.contacts[i] = {solution.r[at++], 0, 0};
+  auto state = solution.activeSet.rows.begin();
+  island.eachContactAt([&](int i, int at, int unknowns) {
+    if (unknowns == 3) {
+      answer.contacts[i] = solution.r.segment<3>(at);
+      answer.modes[i] = solution.activeSet.contacts[at / 3];
+      return;
+    }
+    answer.contacts[i] = {solution.r[at], 0, 0};
     // Nothing holds a contact without friction in place: as long as it persists it slides.
-    const bool open = solution.activeSet.rows[state++] == RowState::AtLower;
-    answer.modes[i] = open ? Mode::Open : Mode::Slide;
-  }
-  for (int i : island.rows) answer.rows[i] = solution.r[at++];
+    answer.modes[i] = *state++ == RowState::AtLower ? Mode::Open : Mode::Slide;
+  });
+  island.eachRowAt([&](int i, int at) { answer.rows[i] = solution.r[at]; });
 }
 
 void note(const Solution& solution, const Island& island, IslandResult& result) {

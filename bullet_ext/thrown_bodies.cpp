@@ -91,30 +91,26 @@ Hold holdOf(const Group& group, const std::vector<Contact>& contacts, const std:
            0.5 * r[at] * r[at] * diagonal(group.bodies, row);
   };
   bool jointsHold = false;
-  const auto contactsEnd = static_cast<int>(r.size() - island.rows.size());
-  for (std::size_t i = 0; i < island.rows.size(); ++i) {
-    const int at = contactsEnd + static_cast<int>(i);
-    const Row& row = rows[island.rows[i]];
-    if (row.governor >= 0 || r[at] == 0) continue;
+  island.eachRowAt([&](int k, int at) {
+    const Row& row = rows[k];
+    if (row.governor >= 0 || r[at] == 0) return;
     const bool up = r[at] > 0;
-    if (std::abs(r[at]) >= boundOf(row, up) || drives(group, island.rows[i], up)) {
+    if (std::abs(r[at]) >= boundOf(row, up) || drives(group, k, up)) {
       const double work = workOf(at, row.target), most = aloneOf(at, row);
       sum.drive += std::clamp(work, 0.0, most);
       sum.brake += std::clamp(-work, 0.0, most);
-      continue;
+      return;
     }
     add(at, row.target, diagonal(group.bodies, row));
     jointsHold = true;
-  }
+  });
   if (!jointsHold) return {};
 
-  int at = 0;
-  const auto addContact = [&](const Contact& c, int unknowns) {
+  island.eachContactAt([&](int k, int at, int unknowns) {
+    const Contact& c = contacts[k];
     for (int axis = 0; axis < unknowns; ++axis)
-      add(at++, c.target[axis], diagonal(group.bodies, c, axis));
-  };
-  for (const int k : island.frictional) addContact(contacts[k], 3);
-  for (const int k : island.frictionless) addContact(contacts[k], 1);
+      add(at + axis, c.target[axis], diagonal(group.bodies, c, axis));
+  });
   return sum;
 }
 

@@ -35,6 +35,21 @@ struct Bench {
   Solution trial;
   std::vector<Body> trialBodies;
 
+  /// Copies the island's contacts to softContacts and calls change(copy) for each. Those of other
+  /// islands are not to be read.
+  template <class Change>
+  void changeContacts(const std::vector<Contact>& contacts, const Island& island,
+                      const Change& change) {
+    softContacts.resize(contacts.size());
+    island.eachContact([&](int i) { change(softContacts[i] = contacts[i]); });
+  }
+  /// The same for its rows, with change(copy, row).
+  template <class Change>
+  void changeRows(const std::vector<Row>& rows, const Island& island, const Change& change) {
+    softRows.resize(rows.size());
+    for (const int i : island.rows) change(softRows[i] = rows[i], i);
+  }
+
   std::size_t bytes() const {
     return solver.bytes() + check.bytes() + assembler.bytes() + coupling.bytes() +
            solution.bytes() + trial.bytes() +

@@ -106,8 +106,7 @@ class QuadProblem {
 QuadProblem::QuadProblem(const std::vector<Body>& bodies, const std::vector<Contact>& contacts,
                          const std::vector<Row>& rows, const Island& island)
     : bodies_(bodies), island_(island) {
-  for (const int i : island.frictional) addContact(contacts[std::size_t(i)], 3);
-  for (const int i : island.frictionless) addContact(contacts[std::size_t(i)], 1);
+  island.eachContactAt([&](int i, int, int axes) { addContact(contacts[std::size_t(i)], axes); });
   for (const int i : island.rows) addRow(rows[std::size_t(i)]);
   findMatrix();
 }

@@ -59,10 +59,9 @@ void JudgedSolver::afterGroup(const GroupInput& arguments) {
   for (const Island& island : splitIslands(group_.bodies, group_.contacts, group_.rows)) {
     const Problem problem = assemble(group_.bodies, group_.contacts, group_.rows, island);
     VectorXd r(problem.size());
-    int next = 0;
-    for (const int i : island.frictional) r.segment<3>(std::exchange(next, next + 3)) = written(i);
-    for (const int i : island.frictionless) r[next++] = written(i)[0];
-    for (const int i : island.rows) r[next++] = rows[i];
+    island.eachContactAt(
+        [&](int i, int at, int unknowns) { r.segment(at, unknowns) = written(i).head(unknowns); });
+    island.eachRowAt([&](int i, int at) { r[at] = rows[i]; });
     if (!problem.disks.empty()) addTurning(island, problem, r);
 
     const VelocityResidual residual = naturalResidual(problem, r);

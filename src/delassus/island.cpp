@@ -332,17 +332,15 @@ void applyReaction(std::vector<Body>& bodies, const std::vector<Contact>& contac
     push(c.b, impulse);
   };
 
-  int at = 0;
-  for (int i : island.frictional) {
-    pushContact(contacts[i], contacts[i].frame * r.segment<3>(at));
-    at += 3;
-  }
-  for (int i : island.frictionless) pushContact(contacts[i], contacts[i].frame.col(0) * r[at++]);
-  for (int i : island.rows) {
+  island.eachContactAt([&](int i, int at, int unknowns) {
+    const Mat3& frame = contacts[i].frame;
+    pushContact(contacts[i],
+                unknowns == 3 ? Vec3(frame * r.segment<3>(at)) : Vec3(frame.col(0) * r[at]));
+  });
+  island.eachRowAt([&](int i, int at) {
     push(rows[i].a, rows[i].jacobianA.transpose() * r[at]);
     push(rows[i].b, rows[i].jacobianB.transpose() * r[at]);
-    ++at;
-  }
+  });
 }
 
 }  // namespace delassus

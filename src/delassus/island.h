@@ -1,5 +1,6 @@
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "delassus/body.h"
@@ -29,6 +30,20 @@ struct Island {
   void eachContact(const Work& work) const {
     for (const int contact : frictional) work(contact);
     for (const int contact : frictionless) work(contact);
+  }
+  /// Calls work(contact, at, unknowns) for the same, in the same order: `at` is the first of the
+  /// contact's unknowns.
+  template <class Work>
+  void eachContactAt(const Work& work) const {
+    int at = 0;
+    for (const int contact : frictional) work(contact, std::exchange(at, at + 3), 3);
+    for (const int contact : frictionless) work(contact, at++, 1);
+  }
+  /// Calls work(row, at) for all of its rows, `at` the unknown of each.
+  template <class Work>
+  void eachRowAt(const Work& work) const {
+    auto at = static_cast<int>(3 * frictional.size() + frictionless.size());
+    for (const int row : rows) work(row, at++);
   }
   /// The unknown of the normal reaction of one of its contacts.
   int normalOf(int contact) const;

@@ -173,22 +173,22 @@ TEST(LostIslands, AreForgottenIfTheSameStepSolvesThemAgain) {
 TEST(LostIslands, AreSearchedWhollyEverLessOften) {
   Options none;
   none.newtonBudget = none.sweepBudget = 0;
-  const double left = Falling(bad, {}, none).marks().lost;
+  const double left = Falling(bad, {}, none).marks().lostResidual;
   EXPECT_NEAR(left, bad, 0.5 * bad);
   for (int steps = 1; steps <= 16; ++steps)
     for (const double before : {left, left / 100}) {
       IslandMarks marks;
       marks.lostSteps = steps - 1;
-      marks.lost = steps > 1 ? before : 0;
+      marks.lostResidual = steps > 1 ? before : 0;
       const IslandMarks after = Falling(bad, marks, none).marks();
       const bool isWhole = before < left || (steps & (steps - 1)) == 0;
       EXPECT_EQ(after.lostSteps, steps);
-      EXPECT_EQ(after.lost, isWhole ? left : before) << steps;
+      EXPECT_EQ(after.lostResidual, isWhole ? left : before) << steps;
     }
   // As soon as the island is solved, all that is forgotten.
   IslandMarks marks;
   marks.lostSteps = 5;
-  marks.lost = left;
+  marks.lostResidual = left;
   EXPECT_EQ(Falling(bad, marks).marks().lostSteps, 0);
 }
 

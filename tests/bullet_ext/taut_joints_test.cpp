@@ -267,7 +267,9 @@ double whirled(bool isStiff, double speed) {
     world.advance();
     stiffened += world.report().stiffened;
   }
-  if (isStiff) EXPECT_GT(stiffened, 250);
+  if (isStiff) {
+    EXPECT_GT(stiffened, 250);
+  }
   return ball.getLinearVelocity().length();
 }
 
