@@ -315,7 +315,8 @@ bool HeldContacts::answer(Group& group, int i, const btContactSolverInfo& info,
   const btManifoldPoint& point = source.manifold->getContactPoint(source.point);
   const Held held = judge(group, contact, std::max(asked, push), -point.getDistance(), info, apart);
   if (held == Held::No) return false;
-  if (leavesOutWelded && welded_.areWeldedForGood(contact.a, contact.b)) {
+  if (leavesOutWelded && (welded_.areWeldedForGood(contact.a, contact.b) ||
+                          welded_.areOfOneWeld(contact.a, contact.b))) {
     spare_.push_back(i);
     return true;
   }

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -162,6 +163,12 @@ void WeldedBodies::close(const Group& group) {
   }
   for (const Bolt& bolt : bolts_) mayBreak_[rootOf_[bolt.body]] |= bolt.mayBreak;
   for (const Weld& weld : welds_) mayBreak_[rootOf_[weld.from]] |= weld.mayBreak;
+}
+
+bool WeldedBodies::areOfOneWeld(int a, int b) const {
+  if (!areWelded(a, b)) return false;
+  return std::any_of(weldsFrom_.begin() + firstFrom_[a], weldsFrom_.begin() + firstFrom_[a + 1],
+                     [&](int weld) { return welds_[weld].to == b; });
 }
 
 Vec6 WeldedBodies::onPart(int body, const Vec6& impulse) const {

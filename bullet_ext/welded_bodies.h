@@ -36,7 +36,9 @@ class WeldedBodies {
   /// One of the bodies that welds hold together with this one, the same for all of them; none if no
   /// weld holds it.
   int rootOf(int body) const { return body >= 0 ? rootOf_[body] : none; }
-  /// The same, whatever load the welds must carry.
+  /// Whether one weld links the two.
+  bool areOfOneWeld(int a, int b) const;
+  /// Whether welds hold them together whatever load these must carry.
   bool areWeldedForGood(int a, int b) const { return areWelded(a, b) && !mayBreak_[rootOf_[a]]; }
   /// Whether welds hold the body to the world, or to something that is moved.
   bool isBolted(int body) const {

@@ -20,7 +20,8 @@ struct Economies {
   bool joints = true;
   /// Nothing is factored again while the region and W stay the same.
   bool factors = true;
-  /// Contacts between bodies that welds make one take no part, unless a weld may break.
+  /// Contacts between bodies that welds make one take no part, unless a weld may break that does
+  /// not link the two themselves.
   bool weldedContacts = true;
   /// Without split penetration there is no push problem.
   bool pushes = true;

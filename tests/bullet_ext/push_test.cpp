@@ -84,7 +84,9 @@ TEST(Push, FewSweepsTakeBodiesApart) {
       for (std::size_t i = 0; i < all.size(); ++i) {
         const btVector3& place = all[i]->getWorldTransform().getOrigin();
         // Unless they are split, recoveries set bodies in motion, and some leave the ground.
-        if (isSplit) EXPECT_GT(place.y(), 0.9 * radius) << i;
+        if (isSplit) {
+          EXPECT_GT(place.y(), 0.9 * radius) << i;
+        }
         for (std::size_t j = 0; j < i; ++j)
           EXPECT_GT((place - all[j]->getWorldTransform().getOrigin()).length(), 1.9 * radius)
               << i << ", " << j;

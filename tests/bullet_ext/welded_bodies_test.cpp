@@ -486,23 +486,32 @@ TEST(DrivesAndErrors, WhatStandsOnTwoMoversIsPressed) {
   }
 }
 
-// Bricks on each other that a weld holds until it breaks: the contact carries its part.
+// Two cubes on each other, welded to a third beside them by welds that may break: the contact
+// carries its part. Where one weld links the two themselves, it carries all.
 TEST(WeldedBodies, AWeldThatMayBreakLeavesContactsTheirPart) {
-  for (const bool mayBreak : {false, true}) {
+  enum Case { Lasting, Breaking, Direct };
+  for (const Case weldIs : {Lasting, Breaking, Direct}) {
+    SCOPED_TRACE(weldIs);
     DelassusWorld world;
     world.addGround();
-    btRigidBody &low = world.addCube({0, 0.5, 0}), &high = world.addCube({0, 1.5, 0});
-    btFixedConstraint& weld = addWeld(world, low, high);
-    low.setIgnoreCollisionCheck(&high, false);
-    if (mayBreak) weld.setBreakingImpulseThreshold(1000);
+    btRigidBody &low = world.addCube({0, 0.5, 0}), &high = world.addCube({0, 1.5, 0}),
+                &third = world.addCube({1, 1, 0});
+    std::vector<btFixedConstraint*> welds = {&addWeld(world, low, third),
+                                             &addWeld(world, high, third)};
+    if (weldIs == Direct) {
+      welds.push_back(&addWeld(world, low, high));
+      low.setIgnoreCollisionCheck(&high, false);
+    }
+    if (weldIs != Lasting)
+      for (btFixedConstraint* weld : welds) weld->setBreakingImpulseThreshold(1000);
     world.advance(30);
-    EXPECT_EQ(world.report().contacts, mayBreak ? 8 : 4);
+    EXPECT_EQ(world.report().contacts, weldIs == Breaking ? 8 : 4);
     EXPECT_EQ(notSolvedOf(world), 0);
     EXPECT_NEAR(high.getWorldTransform().getOrigin().y(), 1.5, tolerance(1e-5, 1e-4));
     double onGround = 0;
     for (const btManifoldPoint* point : world.points())
       if (point->getPositionWorldOnB().y() < 0.5) onGround += point->getAppliedImpulse();
-    EXPECT_NEAR(onGround / BulletWorld::step, 2 * g, 1e-3);
+    EXPECT_NEAR(onGround / BulletWorld::step, 3 * g, 1e-3);
     world.clear();
   }
 }
