@@ -51,8 +51,8 @@ struct Group;
 /// overlap by more than `fit` of the arm then are no such links, but drawn together by a hand.
 ///
 /// Bodies that welds hold together (WeldedBodies) count as one, and as the world if they are welded
-/// to it. Where no weld of such a body may break, contacts between its parts may be left out, and so
-/// may those of two parts of one weld: the motion is the same without them, and the welds carry
+/// to it. Where no weld of such a body may break, contacts between its parts may be left out, and
+/// so may those of two parts of one weld: the motion is the same without them, and the welds carry
 /// their loads. All others stay, and the welds and they give by sharedSoftness.
 ///
 /// What stands on one moved thing goes along with it: that neither drives its contacts with the
