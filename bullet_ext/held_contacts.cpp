@@ -223,11 +223,24 @@ int HeldContacts::moverOf(int body) {
   return mechanisms_[narrowed_ != none ? narrowed_ : mechanismOf(part)].mover;
 }
 
-/// Whether only one thing that nothing can stop holds the two bodies: its motion is theirs.
-bool HeldContacts::haveOneMover(const Contact& contact) {
+/// How fast such things move the two points apart, or in any direction where they do so by joints,
+/// m/s.
+double HeldContacts::movedApart(const Contact& contact) {
+  const Vec3 ofA = welded_.movedAt(contact.a, contact.armA),
+             ofB = welded_.movedAt(contact.b, contact.armB);
+  double sum = (ofA - ofB).norm();
+  for (const int body : {contact.a, contact.b})
+    if (const int part = welded_.partOf(body); part != none)
+      sum += mechanisms_[narrowed_ != none ? narrowed_ : mechanismOf(part)].moved;
+  return sum;
+}
+
+/// Whether the motion of what nothing can stop is that of both bodies alike: at most one such thing
+/// holds them, or several that move as one.
+bool HeldContacts::haveOneMover(const Group& group, const Contact& contact) {
   const int ofA = moverOf(contact.a), ofB = moverOf(contact.b);
   if (ofA == manyMovers || ofB == manyMovers) return false;
-  return ofA == ofB || ofA == noMover || ofB == noMover;
+  return ofA == noMover || ofB == noMover || welded_.moveAsOne(group, ofA, ofB);
 }
 
 /// Whether something drives the bodies together that asks for this speed, m/s: what is moved, a
@@ -235,19 +248,20 @@ bool HeldContacts::haveOneMover(const Contact& contact) {
 bool HeldContacts::areDriven(const Group& group, const Contact& contact, const Wanted& wanted,
                              double overlap, const btContactSolverInfo& info) {
   if (welded_.areWelded(contact.a, contact.b)) return false;
+  const bool standOnOne = haveOneMover(group, contact);
+  if (standOnOne && welded_.areMoved(contact.a, contact.b)) return false;
   const double arm = longerArm(group, contact), harmless = still * arm / group.h;
   // What drives on lets the overlap grow.
   const double deep = std::max(1.0, overlap / (play * arm)), patience = 1 / (deep * deep);
   if (wanted.ofDrives < -harmless * patience) return true;
-  if (!haveOneMover(contact)) {
-    const Vec3 moved =
-        welded_.movedAt(contact.a, contact.armA) - welded_.movedAt(contact.b, contact.armB);
-    if (wanted.ofMovers < -std::sqrt(share) * moved.norm() * patience) return true;  // normals lean
-  }
+  const double moved = movedApart(contact);
+  if (!standOnOne && wanted.ofMovers < -std::sqrt(share) * moved * patience)
+    return true;  // normals lean
   // Joints mend their errors, which decays.
   const double mends = wanted.ofErrors + wanted.ofDrives;
   if (!areOfOne(group, contact)) return mends < -harmless;
-  const double error = -mends * group.h / info.m_erp;
+  const double ahead = standOnOne ? group.h * moved : 0;
+  const double error = -mends * group.h / info.m_erp - ahead;
   return error > play * arm && overlap + error > fit * arm;
 }
 
@@ -288,8 +302,8 @@ bool HeldContacts::areOfOne(const Group& group, const Contact& contact) {
   if (group.isRigid(contact.a) && group.isRigid(contact.b) &&
       machines_.root(contact.a) == machines_.root(contact.b))
     return true;
-  const int mover = moverOf(contact.a);
-  return mover >= 0 && mover == moverOf(contact.b);
+  const int ofA = moverOf(contact.a), ofB = moverOf(contact.b);
+  return ofA >= 0 && ofB >= 0 && welded_.moveAsOne(group, ofA, ofB);
 }
 
 /// Whether the joints leave the two bodies no relative motion at all.
@@ -334,9 +348,10 @@ bool HeldContacts::answer(Group& group, int i, const btContactSolverInfo& info,
   if (sharesLoad) shares_[welded_.rootOf(contact.a)] = true;
   const double give = held == Held::Along     ? softness
                       : held == Held::ByLimit ? joinedSoftness
-                      : sharesLoad            ? sharedSoftness
                                               : loopSoftness;
-  contact.compliance = std::max(contact.compliance, give * lesserResponse(group, contact));
+  const double response = lesserResponse(group, contact);
+  contact.compliance =
+      std::max(contact.compliance, sharesLoad ? shared(response, contact.a) : give * response);
   return true;
 }
 

@@ -55,9 +55,9 @@ struct Group;
 /// so may those of two parts of one weld: the motion is the same without them, and the welds carry
 /// their loads. All others stay, and the welds and they give by sharedSoftness.
 ///
-/// What stands on one moved thing goes along with it: that neither drives its contacts with the
-/// thing nor those between its links, and the thing counts as one of these, as it is ahead of the
-/// rest by a step.
+/// What stands on one moved thing, or on several that move as one, goes along: that drives neither
+/// its contacts with the thing nor those between its links. The thing counts as one of these, and
+/// is ahead of the rest by a step.
 ///
 /// The joints that count are those of the mechanisms of the two bodies, if both mechanisms are
 /// fixed to the world or are the same one. A mechanism of more than `mostRows` rows counts only for
@@ -102,8 +102,8 @@ class HeldContacts {
     int rows = 0;
     /// What has no part and holds these too: WeldedBodies::moverOf.
     int mover = noMover;
+    double moved = 0;  ///< the largest speed that such things ask of its rows, m/s or rad/s
     bool stands() const { return mover != noMover; }
-    void standOn(int thing) { mover = mover == noMover || mover == thing ? thing : manyMovers; }
     int begin = 0, end = 0;  ///< among holds_, weak ones last
     int span = -1;           ///< among spans_: of rows that are not weak; −1: not computed
   };
@@ -121,8 +121,11 @@ class HeldContacts {
   int wayBetween(int a, int b);
   void findWays();
   bool mayBeHeld(const Group& group, const Contact& contact);
+  void standOn(const Group& group, int body, const Row6& jacobian, Mechanism& mechanism) const;
+  double shared(double response, int body) const;
   int moverOf(int body);
-  bool haveOneMover(const Contact& contact);
+  double movedApart(const Contact& contact);
+  bool haveOneMover(const Group& group, const Contact& contact);
   bool areOfOne(const Group& group, const Contact& contact);
   void sortHolds();
   ImpulseSpan& spanOf(const Group& group, Mechanism& mechanism);

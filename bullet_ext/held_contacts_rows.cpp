@@ -105,9 +105,26 @@ void HeldContacts::softenWelds(Group& group) const {
     if (root == none || !shares_[root]) continue;
     for (int k = joint.firstRow; k < joint.firstRow + joint.rowCount; ++k) {
       Row& row = group.rows[k];
-      row.compliance = std::max(row.compliance, sharedSoftness * diagonal(group.bodies, row));
+      row.compliance = std::max(row.compliance, shared(diagonal(group.bodies, row), root));
     }
   }
+}
+
+/// A row with this Jacobian holds the mechanism to a body that has no part.
+void HeldContacts::standOn(const Group& group, int body, const Row6& jacobian,
+                           Mechanism& mechanism) const {
+  const int mover = welded_.moverOf(body);
+  if (mechanism.mover == noMover)
+    mechanism.mover = mover;
+  else if (mechanism.mover == manyMovers || !welded_.moveAsOne(group, mechanism.mover, mover))
+    mechanism.mover = manyMovers;
+  const double asked = welded_.asked(body, jacobian.transpose()).ofMovers;
+  mechanism.moved = std::max(mechanism.moved, std::abs(asked));
+}
+
+/// The compliance with which welds and contacts share loads, of what has this response, 1/kg.
+double HeldContacts::shared(double response, int body) const {
+  return std::min(sharedSoftness * response, sharedSlip / welded_.leastThresholdOf(body));
 }
 
 /// Collects the rows that hold, and the mechanisms that they make.
@@ -143,8 +160,8 @@ void HeldContacts::collect(const Group& group) {
     hold.mechanism = number;
     ++mechanisms_[number].rows;
     const Row& row = group.rows[hold.row];
-    if (hold.a == none) mechanisms_[number].standOn(welded_.moverOf(row.a));
-    if (hold.b == none) mechanisms_[number].standOn(welded_.moverOf(row.b));
+    if (hold.a == none) standOn(group, row.a, row.jacobianA, mechanisms_[number]);
+    if (hold.b == none) standOn(group, row.b, row.jacobianB, mechanisms_[number]);
   }
   collectStrongMotors(group);
 }

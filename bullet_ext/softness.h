@@ -34,5 +34,7 @@ constexpr double joinedSoftness = 1e-2;
 /// under its own weight; beside rigid contacts, what welds ask for that have drifted, by 1e-4 m/s,
 /// breaks them.
 constexpr double sharedSoftness = 1e-4;
+/// Welds that bear much give by less: as fast at most under what breaks them, m/s or rad/s.
+constexpr double sharedSlip = 0.02;
 
 }  // namespace delassus::bullet

@@ -4,6 +4,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "BulletDynamics/ConstraintSolver/btTypedConstraint.h"
@@ -37,8 +38,8 @@ Vec6 goingAlong(const Vec6& velocity, const Vec3& way) {
 }  // namespace
 
 std::size_t WeldedBodies::bytes() const {
-  return bytesOf(parts_, partOf_, rootOf_, moverOf_, mayBreak_, fromCentre_, ofErrors_, ofMovers_,
-                 welds_, bolts_, weldsFrom_, firstFrom_, found_);
+  return bytesOf(parts_, partOf_, rootOf_, moverOf_, leastThreshold_, fromCentre_, ofErrors_,
+                 ofMovers_, welds_, bolts_, weldsFrom_, firstFrom_, found_);
 }
 
 void WeldedBodies::reset(const Group& group) {
@@ -46,7 +47,7 @@ void WeldedBodies::reset(const Group& group) {
   parts_ = group.bodies;
   partOf_.resize(count);
   rootOf_.assign(count, none);
-  mayBreak_.assign(count, false);
+  leastThreshold_.assign(count, infinity);
   fromCentre_.assign(count, Vec3::Zero());
   moverOf_.assign(count, none);
   ofErrors_.assign(count, Vec6::Zero());
@@ -80,7 +81,7 @@ void WeldedBodies::weld(const Group& group, const JointSource& joint) {
   const Eigen::PartialPivLU<Mat6> factor(onNext);
   constexpr double leastRatio = 1e-9;
   if (!(std::abs(factor.determinant()) > leastRatio * onNext.rowwise().norm().prod())) return;
-  const bool mayBreak = toCoreBound(joint.constraint->getBreakingImpulseThreshold()) < infinity;
+  const double threshold = toCoreBound(joint.constraint->getBreakingImpulseThreshold());
   const int next = isBNext ? b : a, other = isBNext ? a : b;
   if (hasA && hasB) {
     // Where the welded places have come apart, the rows differ from those of a rigid body, and what
@@ -88,13 +89,13 @@ void WeldedBodies::weld(const Group& group, const JointSource& joint) {
     const Vec6& v = group.bodies[other].velocity;
     const Vec6 along = goingAlong(v, centreOf(group, next) - centreOf(group, other));
     const Vec6 asked = factor.solve(target - onOther * v) - along;
-    welds_.push_back({other, next, mayBreak, asked});
+    welds_.push_back({other, next, threshold, asked});
     const Vec3 back = centreOf(group, other) - centreOf(group, next);
-    welds_.push_back({next, other, mayBreak, -goingAlong(asked, back)});
+    welds_.push_back({next, other, threshold, -goingAlong(asked, back)});
   } else {
     Vec6 moved = Vec6::Zero();
     if (other >= 0) moved = factor.solve(-onOther * ofMovers_[other]);
-    bolts_.push_back({next, moverOf(other), mayBreak, factor.solve(target), moved});
+    bolts_.push_back({next, moverOf(other), threshold, factor.solve(target), moved});
   }
 }
 
@@ -161,8 +162,27 @@ void WeldedBodies::close(const Group& group) {
     spread(group, weld.from);
     unite(group, weld.from);
   }
-  for (const Bolt& bolt : bolts_) mayBreak_[rootOf_[bolt.body]] |= bolt.mayBreak;
-  for (const Weld& weld : welds_) mayBreak_[rootOf_[weld.from]] |= weld.mayBreak;
+  const auto note = [&](int body, double threshold) {
+    double& least = leastThreshold_[rootOf_[body]];
+    least = std::min(least, threshold);
+  };
+  for (const Bolt& bolt : bolts_) note(bolt.body, bolt.threshold);
+  for (const Weld& weld : welds_) note(weld.from, weld.threshold);
+}
+
+bool WeldedBodies::moveAsOne(const Group& group, int a, int b) const {
+  if (a == b) return true;
+  if (a < 0 || b < 0 || group.isLimb(a) || group.isLimb(b)) return false;
+  const Vec3 placeA = centreOf(group, a), placeB = centreOf(group, b), way = placeB - placeA;
+  const Vec6 apart = ofMovers_[b] - goingAlong(ofMovers_[a], way);
+  constexpr double rounding = 8 * static_cast<double>(std::numeric_limits<btScalar>::epsilon());
+  const double turn = ofMovers_[a].tail<3>().norm(), h = group.h;
+  // Bullet takes the angle from its cosine. Where that tells too little they may be pressed.
+  const double ofTurn = turn > 0 ? rounding / (turn * h * h) : 0;
+  if (ofTurn > 0.25 * turn || apart.tail<3>().norm() > ofTurn) return false;
+  const double chord = turn * turn * h * way.norm();
+  return apart.head<3>().norm() <=
+         chord + ofTurn * way.norm() + rounding * (placeA.norm() + placeB.norm()) / h;
 }
 
 bool WeldedBodies::areOfOneWeld(int a, int b) const {

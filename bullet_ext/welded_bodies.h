@@ -39,7 +39,11 @@ class WeldedBodies {
   /// Whether one weld links the two.
   bool areOfOneWeld(int a, int b) const;
   /// Whether welds hold them together whatever load these must carry.
-  bool areWeldedForGood(int a, int b) const { return areWelded(a, b) && !mayBreak_[rootOf_[a]]; }
+  bool areWeldedForGood(int a, int b) const {
+    return areWelded(a, b) && leastThresholdOf(a) == infinity;
+  }
+  /// The impulse that breaks the weakest of the welds that hold a welded body, N·s.
+  double leastThresholdOf(int body) const { return leastThreshold_[rootOf_[body]]; }
   /// Whether welds hold the body to the world, or to something that is moved.
   bool isBolted(int body) const {
     return body >= 0 && rootOf_[body] != none && partOf_[body] == none;
@@ -55,6 +59,11 @@ class WeldedBodies {
   /// For a body without a part, what nothing can stop and holds it: itself, or what it is welded
   /// to; none for the fixed world.
   int moverOf(int body) const { return body >= 0 ? moverOf_[body] : none; }
+  /// Whether two such things are one, or move as one rigid body, as far as velocities tell that are
+  /// differences over a step.
+  bool moveAsOne(const Group& group, int a, int b) const;
+  /// Whether both are, or are welded to, such things other than the world.
+  bool areMoved(int a, int b) const { return moverOf(a) >= 0 && moverOf(b) >= 0; }
   /// The velocity that this gives to a point of the body, m/s.
   Vec3 movedAt(int body, const Vec3& arm) const {
     if (body < 0) return Vec3::Zero();
@@ -66,13 +75,13 @@ class WeldedBodies {
   /// What one body is to do beside going along with another, as a velocity.
   struct Weld {
     int from, to;
-    bool mayBreak;
+    double threshold;
     Vec6 target;
   };
   /// What a body does that is welded to something without a part.
   struct Bolt {
     int body, mover;
-    bool mayBreak;
+    double threshold;
     Vec6 ofErrors, ofMovers;
   };
   void spread(const Group& group, int root);
@@ -80,8 +89,8 @@ class WeldedBodies {
 
   std::vector<Body> parts_;
   std::vector<int> partOf_, rootOf_, moverOf_;
-  std::vector<char> mayBreak_;    ///< of the roots
-  std::vector<Vec3> fromCentre_;  ///< of the part to that of the body, m
+  std::vector<double> leastThreshold_;  ///< of the roots: which impulse breaks the weakest weld
+  std::vector<Vec3> fromCentre_;        ///< of the part to that of the body, m
   std::vector<Vec6> ofErrors_, ofMovers_;
 
   std::vector<Weld> welds_;  ///< each from both of its bodies
