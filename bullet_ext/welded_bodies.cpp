@@ -177,7 +177,8 @@ bool WeldedBodies::moveAsOne(const Group& group, int a, int b) const {
   const Vec6 apart = ofMovers_[b] - goingAlong(ofMovers_[a], way);
   constexpr double rounding = 8 * static_cast<double>(std::numeric_limits<btScalar>::epsilon());
   const double turn = ofMovers_[a].tail<3>().norm(), h = group.h;
-  // Bullet takes the angle from its cosine. Where that tells too little they may be pressed.
+  // Bullet takes the angle of a turn from its cosine. Where that rounds too much, they count as
+  // two: what they press together must not pass.
   const double ofTurn = turn > 0 ? rounding / (turn * h * h) : 0;
   if (ofTurn > 0.25 * turn || apart.tail<3>().norm() > ofTurn) return false;
   const double chord = turn * turn * h * way.norm();
