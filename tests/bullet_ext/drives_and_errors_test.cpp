@@ -1,11 +1,17 @@
 /// What joints mend is no drive, and what drives is told from it: in contacts that joints hold, and
 /// where a contact moves a body against a motor.
 #include <BulletDynamics/ConstraintSolver/btFixedConstraint.h>
+#include <BulletDynamics/ConstraintSolver/btGeneric6DofSpring2Constraint.h>
+#include <BulletDynamics/ConstraintSolver/btHingeConstraint.h>
+#include <BulletDynamics/ConstraintSolver/btPoint2PointConstraint.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <memory>
 
 #include "tests/support/bullet_world.h"
+#include "tests/support/welds.h"
 
 namespace delassus::test {
 namespace {
@@ -121,6 +127,69 @@ TEST(DrivesAndErrors, AnOverlapIsMendedAgainstAMotor) {
       EXPECT_EQ(bad, 0);
       EXPECT_LT(deepestOf(world), 1e-4);
     }
+}
+
+/// A machine on the ground: a base with a block on it, and an arm above the block, on a post.
+struct Machine {
+  DelassusWorld world;
+  btRigidBody *base, *block, *arm;
+  const btTransform onBase = DelassusWorld::at({btScalar(-0.4), btScalar(0.75), 0}),
+                    onArm = DelassusWorld::at({-0.5, 0, 0});
+  static constexpr double blockTop = 0.6;
+
+  Machine() {
+    world.addGround();
+    base = &world.addBox({btScalar(0.6), btScalar(0.1), btScalar(0.3)}, {0, btScalar(0.1), 0}, 50);
+    block = &world.addBox({btScalar(0.1), btScalar(0.2), btScalar(0.2)},
+                          {btScalar(0.4), btScalar(0.4), 0}, 5);
+    arm =
+        &world.addBox({0.5, btScalar(0.05), btScalar(0.1)}, {btScalar(0.1), btScalar(0.85), 0}, 3);
+    addBolt(world, *base);
+    addWeld(world, *base, *block);
+  }
+  double tip() const { return (arm->getWorldTransform() * btVector3(btScalar(0.45), 0, 0)).y(); }
+};
+
+// A motor with a force that Bullet takes for boundless drives, and mends nothing.
+TEST(DrivesAndErrors, ABoundlessMotorIsADrive) {
+  for (const double force : {1e3, 1e20, 1e30}) {
+    SCOPED_TRACE(force);
+    Machine in;
+    auto& joint =
+        in.world.addJoint<btGeneric6DofSpring2Constraint>(*in.base, *in.arm, in.onBase, in.onArm);
+    for (int axis = 0; axis < 6; ++axis) joint.setLimit(axis, 0, 0);
+    joint.setLimit(5, 1, -1);
+    joint.enableMotor(5, true);
+    joint.setMaxMotorForce(5, btScalar(force));
+    joint.setTargetVelocity(5, 1);
+    for (int step = 0; step < 90; ++step) {
+      in.world.advance();
+      ASSERT_GT(in.tip(), Machine::blockTop - 0.05) << step;
+    }
+  }
+}
+
+// A hand that is moved draws the arm on to the block, and a little further, and then stays.
+TEST(DrivesAndErrors, WhatAHandHasDrawnTogetherStaysApart) {
+  Machine in;
+  const btVector3 axis(0, 0, 1);
+  in.world.addJoint<btHingeConstraint>(*in.base, *in.arm, in.onBase.getOrigin(),
+                                       in.onArm.getOrigin(), axis, axis);
+  const auto handAt = [](double turn) {
+    return DelassusWorld::at(
+        {btScalar(-0.4 + 0.95 * std::cos(turn)), btScalar(0.85 - 0.95 * std::sin(turn)), 0});
+  };
+  btRigidBody& hand =
+      in.world.addBody(std::make_unique<btSphereShape>(btScalar(0.01)), handAt(0), 0);
+  hand.setCollisionFlags(btCollisionObject::CF_KINEMATIC_OBJECT |
+                         btCollisionObject::CF_NO_CONTACT_RESPONSE);
+  in.world.addJoint<btPoint2PointConstraint>(*in.arm, hand, btVector3(btScalar(0.45), 0, 0),
+                                             btVector3(0, 0, 0));
+  for (int step = 0; step < 180; ++step) {
+    hand.setWorldTransform(handAt(0.6 * std::min(step, 120) / 120));
+    in.world.advance();
+    ASSERT_GT(in.tip(), Machine::blockTop - 0.05) << step;
+  }
 }
 
 }  // namespace
