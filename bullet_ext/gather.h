@@ -13,14 +13,15 @@ class Extension;
 /// of a locked axis: the exact impulse there is 1e8 times as large as without the lock.
 constexpr double inVain = 1e-8;
 
+/// How contacts and joints are gathered.
 struct Manner {
   bool rollsAsStock = false;     ///< see gatherTurningFriction
   bool leavesOutWelded = false;  ///< see HeldContacts
 };
 
 /// Reads a whole solveGroup call into `group`, which is cleared first. An extension adds its parts
-/// in between. Of Bullet's objects only joints are written
-/// to: their impulses and feedback are cleared. The functions below are its parts, in their order.
+/// in between. Of Bullet's objects only joints are written to: their impulses and feedback are
+/// cleared. The functions below are its parts, in their order.
 void gatherGroup(Group& group, const GroupInput& input, StepReport& report,
                  Extension* extension = nullptr, const Manner& manner = {});
 

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <memory>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -116,8 +117,8 @@ TEST(MovedBodies, WhatStandsOnSeveralThatMoveAsOneGoesAlong) {
   if (!std::is_same_v<btScalar, float>) expectGoesAlong(rolling(), true);
 }
 
-// A machine of two welded bodies is sunk deep into a deck that goes down, and is ahead of it by a
-// step.
+// A machine of two welded bodies and a wheel is sunk deep into a deck that goes down, and is ahead
+// of it by a step.
 TEST(MovedBodies, WhatIsSunkInADeckStaysThere) {
   for (const double speed : {0.2, 3.0}) {
     SCOPED_TRACE(speed);
@@ -128,6 +129,12 @@ TEST(MovedBodies, WhatIsSunkInADeckStaysThere) {
                                      {1, btScalar(0.68), 0}, 5);
     addWeld(world, deck, post);
     addWeld(world, post, block);
+    const auto radius = btScalar(0.15);
+    btRigidBody& wheel = world.addBody(std::make_unique<btSphereShape>(radius),
+                                       DelassusWorld::at({1, radius - btScalar(0.1), 0.5}), 1);
+    const btVector3 axis(0, 0, 1);
+    world.addJoint<btHingeConstraint>(block, wheel, btVector3(0, radius - btScalar(0.25), 0.5),
+                                      btVector3(0, 0, 0), axis, axis);
     for (int step = 1; step <= 60; ++step) {
       deck.setWorldTransform(
           DelassusWorld::at({0, btScalar(-0.5 - speed * BulletWorld::step * step), 0}));

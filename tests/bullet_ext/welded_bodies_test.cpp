@@ -276,6 +276,7 @@ TEST(WeldedBodies, ContactsWithinATurningWallLoadNoWeld) {
         ASSERT_LT(std::abs(weld->getAppliedImpulse()), 1) << step;
     }
     EXPECT_GT(world.report().contacts, 0);
+    EXPECT_NEAR(last->getAngularVelocity().length(), 0.5, 5e-3);
     world.clear();
   }
 }
