@@ -77,7 +77,8 @@ void Search::startBetter(const Options& options, Solution& best) {
   constexpr double hopeless = 30;
   constexpr int few = 20;  // sweeps
   const double guessed = best.residualRms;
-  const bool drives = options.sweepBudget < few && problem_->rows() == 0 && workOf(best) > 0;
+  const bool drives = options.sweepBudget < few && problem_->rows() == 0 && workOf(best) > 0 &&
+                      !slidesNowhere(best.r);
   if (!drives && std::isfinite(guessed) && guessed <= hopeless * leastRmsFromNothing(*problem_))
     return;
   trial_.r.setZero(problem_->size());

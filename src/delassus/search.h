@@ -81,7 +81,8 @@ class Search {
   /// learnt of all the others is worth more. With few sweeps, reactions of contacts alone are also
   /// dropped if they do work on the bodies, as those that stopped a blow do when they act again: a
   /// few sweeps would not take that back. (With joints they are kept. Without the reactions that
-  /// carried them, ragdolls had up to twice the residual.)
+  /// carried them, ragdolls had up to twice the residual. They are also kept if they slid nowhere:
+  /// holding all that touches, from them, is exact. From nothing it often fails.)
   void startBetter(const Options& options, Solution& best);
 
   /// For rows alone with an explicit W, the paper's own ground: regions of any W, symmetric or not.
@@ -170,6 +171,7 @@ class Search {
   template <class Motion>
   Outcome startOut(Engines<Motion>& engines, const Task& task, Solution& best);
   bool condense(const Task& task, Solution& best);
+  bool slidesNowhere(const VectorXd& r) const;
   bool mayHold(const Task& task, const Solution& best) const;
   template <class Motion>
   bool hold(Engines<Motion>& engines, const Task& task, Solution& best);

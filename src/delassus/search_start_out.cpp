@@ -43,16 +43,6 @@ void holdActiveSet(const Problem& problem, const VectorXd& diagonal, const Vecto
   }
 }
 
-/// Whether no contact presses with all the friction that it has.
-bool slidesNowhere(const Problem& problem, const VectorXd& r) {
-  constexpr double all = 1 - 1e-6;
-  for (int i = 0; i < problem.contacts(); ++i)
-    if (r[3 * i] > 0 &&
-        lengthOf(r[3 * i + 1], r[3 * i + 2]) >= all * problem.friction[i] * r[3 * i])
-      return false;
-  return true;
-}
-
 /// Joints alone, without limits and motors: there is one region.
 bool hasOneRegion(const Problem& problem) {
   return problem.contacts() == 0 && problem.disks.empty() && problem.lower.array().isInf().all() &&
@@ -115,6 +105,16 @@ Outcome Search::startOut(Engines<Motion>& engines, const Task& task, Solution& b
   return Outcome::Lost;
 }
 
+/// Whether no contact presses with all the friction that it has.
+bool Search::slidesNowhere(const VectorXd& r) const {
+  constexpr double all = 1 - 1e-6;
+  for (int i = 0; i < problem_->contacts(); ++i)
+    if (r[3 * i] > 0 &&
+        lengthOf(r[3 * i + 1], r[3 * i + 2]) >= all * problem_->friction[i] * r[3 * i])
+      return false;
+  return true;
+}
+
 /// Whether it is worth a region to hold all that touches. It is not where the last reactions slid
 /// somewhere and regions are cheap, or few: then something will slide again.
 bool Search::mayHold(const Task& task, const Solution& best) const {
@@ -126,7 +126,7 @@ bool Search::mayHold(const Task& task, const Solution& best) const {
   // Small islands without reactions of a last step hold all in their first region anyway, if there
   // may be others.
   return (task.guess || task.isHurried) && problem_->contacts() > fewContacts &&
-         slidesNowhere(*problem_, best.r);
+         slidesNowhere(best.r);
 }
 
 /// Holds all that touches.
