@@ -27,6 +27,15 @@ bool isOfTriangles(const btCollisionObject& object) {
   return object.getCollisionShape()->isConcave();
 }
 
+/// Whether contacts of one manifold push against each other. Where two bodies are half way through
+/// each other, Bullet may turn the normal, and keep points with the old one.
+bool pushBothWays(const Group& group, int first, int end) {
+  const auto normal = [&](int contact) { return group.contacts[contact].frame.col(0); };
+  for (int k = first + 1; k < end; ++k)
+    if (normal(k).dot(normal(first)) < 0) return true;
+  return false;
+}
+
 double massOf(const btRigidBody& body) {
   return body.getInvMass() > 0 ? 1 / static_cast<double>(body.getInvMass()) : 0;
 }
@@ -44,7 +53,8 @@ void OpposedContacts::add(int body, const btCollisionObject& object, bool isInTr
 void OpposedContacts::note(const Group& group, const btCollisionObject& a, int indexA,
                            const btCollisionObject& b, int indexB, int first) {
   const auto end = static_cast<int>(group.contacts.size());
-  if (first == end || !isOfAPart(pointOf(group, first))) return;
+  if (first == end) return;
+  if (!isOfAPart(pointOf(group, first)) && !pushBothWays(group, first, end)) return;
   // If both may move, takes the body that came first, in whichever order the manifold names them.
   const bool movesA = group.movable(indexA), movesB = group.movable(indexB);
   if (movesA && !(movesB && indexB < indexA))

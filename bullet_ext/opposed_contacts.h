@@ -16,9 +16,10 @@ struct Group;
 /// Contacts of the same two bodies that overlap and push against each other, where no motion could
 /// meet both. Triangles (a mesh, a heightfield) push from both sides. So a thin body, such as the
 /// leg of a chair or a limb, that is half way through them is pushed both ways by one face; and so
-/// are parts of compounds that interlock. Met exactly, such demands hold the two bodies together,
-/// or throw them apart. In triangles, bodies that a joint links count as one: a limb may be above
-/// the triangles and the next one below.
+/// are parts of compounds that interlock, and two plates that overlap by as much as they are thick:
+/// of these, one manifold may hold points with either normal. Met exactly, such demands hold the
+/// two bodies together, or throw them apart. In triangles, bodies that a joint links count as one:
+/// a limb may be above the triangles and the next one below.
 ///
 /// Two contacts are opposed if their pushes differ by more than 120 degrees, and if both lie on one
 /// sheet: along either push their places differ by no more than their depths. A body between two
@@ -31,7 +32,8 @@ class OpposedContacts {
     touches_.clear();
   }
   /// Notes the contacts of the group from `first` on if one of their objects (`indexA`, `indexB` in
-  /// the group) has several parts. These contacts are all of one manifold.
+  /// the group) has several parts, or if they push both ways. These contacts are all of one
+  /// manifold.
   void note(const Group& group, const btCollisionObject& a, int indexA, const btCollisionObject& b,
             int indexB, int first);
   /// Makes opposed contacts give by at least `share` of the response of the body that responds

@@ -1,4 +1,5 @@
-/// Bodies half way through a mesh, whose triangles push from both sides, and parts that interlock.
+/// Bodies half way through a mesh, whose triangles push from both sides, parts that interlock, and
+/// plates half way through each other.
 
 #include <BulletCollision/CollisionShapes/btBvhTriangleMeshShape.h>
 #include <BulletCollision/CollisionShapes/btTriangleMesh.h>
@@ -157,6 +158,36 @@ TEST(OpposedContacts, PartsThatInterlockDeeplyAreNotThrown) {
       EXPECT_LT(pair.getLinearVelocity().length(), 0.5) << step;
     }
     EXPECT_GT(pair.getWorldTransform().getOrigin().y(), y + 0.3 * deep);
+  }
+}
+
+// Plates that overlap by their thickness. Bullet turns the normal when one is more than half way
+// through, and keeps the points that have the old one.
+TEST(OpposedContacts, PlatesThatAreHalfWayThroughEachOtherAreSolved) {
+  constexpr double thick = 0.012;
+  btBoxShape shape(btVector3(btScalar(0.3), btScalar(thick / 2), btScalar(0.2)));
+  btVector3 inertia;
+  shape.calculateLocalInertia(1, inertia);
+  btRigidBody above(1, nullptr, &shape, inertia), below(1, nullptr, &shape, inertia);
+  btPersistentManifold manifold(&above, &below, 0, btScalar(0.02), 1);
+  for (const int side : {-1, 1}) {
+    const btVector3 place(btScalar(0.2 * side), 0, 0), up(0, btScalar(side), 0);
+    manifold.addManifoldPoint(btManifoldPoint(place, place, up, -btScalar(thick)));
+    btManifoldPoint& point = manifold.getContactPoint(manifold.getNumContacts() - 1);
+    point.m_positionWorldOnA = point.m_positionWorldOnB = place;
+    point.m_combinedFriction = btScalar(0.5);
+  }
+  btDelassusConstraintSolver solver;
+  btCollisionObject* bodies[] = {&above, &below};
+  btPersistentManifold* manifolds[] = {&manifold};
+  for (int step = 0; step < 3; ++step) {
+    solver.prepareSolve(2, 1);
+    solver.solveGroup(bodies, 2, manifolds, 1, nullptr, 0, btContactSolverInfo(), nullptr, nullptr);
+    EXPECT_EQ(solver.report().opposed, 2);
+    EXPECT_EQ(solver.report().incompatible + solver.report().outOfBudget, 0);
+    for (int k = 0; k < 2; ++k)
+      EXPECT_LT(manifold.getContactPoint(k).m_appliedImpulse, 10)
+          << "the weight of ten plates, 0.1 s";
   }
 }
 
