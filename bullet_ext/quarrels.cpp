@@ -43,6 +43,19 @@ double strainOfJoints(const Group& group, const Island& island, const VectorXd& 
   return furthest;
 }
 
+/// The largest velocity, m/s, that a spring gives its bodies, or that a drive may give them.
+double strengthOfDrives(const Group& group, const Island& island, const VectorXd& r) {
+  double most = 0;
+  island.eachRowAt([&](int k, int at) {
+    const Row& row = group.rows[k];
+    double strength = isHard(group, k) ? 0 : std::abs(r[at]);
+    if (drives(group, k, true)) strength = std::max(strength, row.upper);
+    if (drives(group, k, false)) strength = std::max(strength, -row.lower);
+    most = std::max(most, strength * diagonal(group.bodies, row));
+  });
+  return most;
+}
+
 /// Whether a row that holds reaches the threshold at which its joint breaks.
 bool breaksJoints(const Group& group, const Island& island, const VectorXd& r) {
   constexpr double rounding = 1e-9;
@@ -95,6 +108,13 @@ Quarrel quarrelOf(const Group& group, const Island& island, double demand,
       (!hasJoints || isMuch(strainOfJoints(group, island, solution.r))))
     return Quarrel::Strained;
   return breaksJoints(group, island, solution.r) ? Quarrel::Breaking : Quarrel::None;
+}
+
+bool isWedged(const Group& group, const Island& island, double demand, const Solution& solution) {
+  constexpr double timesDemand = 1e7, timesDrives = 10;
+  const double strain = strainOf(group, island, solution);
+  return strain > timesDemand * demand &&
+         strain > timesDrives * strengthOfDrives(group, island, solution.r);
 }
 
 const Problem& recoveryProblem(const Group& group, const Island& island, Bench& bench) {

@@ -35,6 +35,11 @@ enum class Quarrel {
 Quarrel quarrelOf(const Group& group, const Island& island, double demand,
                   const Solution& solution);
 
+/// Whether contacts and joints strain each other by more than any load explains: ten million times
+/// what the island demands, and ten times what springs give their bodies and drives could. So does
+/// friction that wedges bodies between joints, as limbs on both sides of a thin wall.
+bool isWedged(const Group& group, const Island& island, double demand, const Solution& solution);
+
 /// The problem of recovery alone: what contacts and joints ask for, of bodies that do not move and
 /// feel no force, without friction and motors, where contacts and joints give a little.
 const Problem& recoveryProblem(const Group& group, const Island& island, Bench& bench);

@@ -148,14 +148,17 @@ void markQuarrel(const Group& group, const Island& island, IslandResult& result)
 
 /// Answers an island whose exact answer, on the bench, tells of a quarrel. If less recovery does
 /// not relieve it, loads strain it, and are likely to do so in the next steps: then it is looked at
-/// only now and then.
+/// only now and then. What is wedged is looked at in every step, and if all else fails answered as
+/// if contacts gave a little.
 bool answerQuarrel(const Group& group, const Island& island, double demand, Bench& bench,
                    Answer& answer, IslandResult& result) {
   constexpr double relieved = 0.1;
   const Quarrel quarrel = quarrelOf(group, island, demand, bench.solution);
   if (quarrel == Quarrel::None) return false;
   const int steps = marksOf(group, island).loadedSteps + 1;
-  if (isTurnOfWhole(steps)) {
+  const bool wedged =
+      quarrel == Quarrel::Strained && isWedged(group, island, demand, bench.solution);
+  if (isTurnOfWhole(steps) || wedged) {
     const Relief relief{relieved * strainOf(group, island, bench.solution),
                         bench.solution.residual};
     // Friction may strain what can recover.
@@ -168,6 +171,10 @@ bool answerQuarrel(const Group& group, const Island& island, double demand, Benc
     if (quarrel == Quarrel::Strained && !island.rows.empty() &&
         answerUnwedged(group, island, relief, bench, answer, result))
       return true;
+  }
+  if (wedged) {
+    answerSoftened(group, island, bench, answer, result);
+    return true;
   }
   mark(group, island, result).loadedSteps = steps;
   return false;

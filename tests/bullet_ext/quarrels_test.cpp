@@ -263,6 +263,40 @@ TEST(Quarrels, PlatesBetweenPinsPressLittleWithFewSweeps) {
     }
 }
 
+// Limbs on both sides of a thin wall, as of a figure that was thrown into it. Joints draw them into
+// the wall, until friction wedges them. (Some steps pressed with 1e10 N·s, and more.)
+TEST(Quarrels, LimbsJoinedAcrossAThinWallPressWithinReason) {
+  constexpr double thick = 0.1, radius = 0.1, length = 0.3, most = 1e6;  // N·s
+  for (int seed = 0; seed < 8; ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    const auto direction = [&] {
+      const double x = uniform(random, -1, 1), y = uniform(random, -1, 1);
+      return btVector3(btScalar(x), btScalar(y), btScalar(uniform(random, -1, 1))).normalized();
+    };
+    DelassusWorld world;
+    world.addGround();
+    world.addBox({btScalar(thick / 2), 3, 3}, {0, 3, 0}, 0);
+    btRigidBody* before = nullptr;
+    for (int i = 0; i < 3; ++i) {
+      const double x = (i % 2 == 0 ? -1 : 1) * (thick / 2 + uniform(random, 0.9, 1.05) * radius);
+      const double y = uniform(random, 1.4, 1.6), z = uniform(random, -0.2, 0.2);
+      const btVector3 axis = direction(), end(0, btScalar(2 * radius), 0);
+      const btQuaternion turn(axis, btScalar(uniform(random, 0, 3)));
+      btRigidBody& limb =
+          world.addBody(std::make_unique<btCapsuleShape>(btScalar(radius), btScalar(length)),
+                        btTransform(turn, btVector3(btScalar(x), btScalar(y), btScalar(z))), 3);
+      if (before) world.addJoint<btPoint2PointConstraint>(*before, limb, end, -end);
+      before = &limb;
+    }
+    for (int step = 0; step < 180; ++step) {
+      world.advance();
+      for (const btManifoldPoint* point : world.points())
+        ASSERT_LT(point->getAppliedImpulse(), most) << step;
+    }
+  }
+}
+
 // Boxes in a plane, a centimetre in each other, under one that is two thousand times as heavy:
 // their locked axes are strained by the load, too.
 TEST(Quarrels, APileInAPlaneStandsUnderAHeavyBox) {
