@@ -80,18 +80,11 @@ bool solveTrial(const Problem& problem, bool isRecovery, double mostMissed, Benc
 }
 
 /// The same, whether this solution strains the island no more than it may, and tells of no quarrel.
-/// What is left of the strain may still tell of one if it is next to nothing beside what there was.
 bool relieves(const Group& group, const Island& island, const Problem& problem,
               const Relief& relief, Bench& bench) {
-  constexpr double nextToNothing = 1e-4;
-  if (!solveTrial(problem, false, relief.mostMissed, bench)) return false;
-  const double strain = strainOf(group, island, bench.trial);
-  if (strain > relief.mostStrain) return false;
-  const Quarrel left = quarrelOf(group, island, problem.demand(), bench.trial);
-  if (left == Quarrel::Strained && relief.mostStrain < infinity)
-    return bench.trial.status != Status::Incompatible &&
-           strain <= nextToNothing * relief.mostStrain;
-  return left == Quarrel::None;
+  return solveTrial(problem, false, relief.mostMissed, bench) &&
+         strainOf(group, island, bench.trial) <= relief.mostStrain &&
+         quarrelOf(group, island, problem.demand(), bench.trial) == Quarrel::None;
 }
 
 /// Whether the trial gives the bodies more energy than there is.
