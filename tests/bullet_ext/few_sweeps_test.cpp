@@ -93,8 +93,7 @@ TEST(FewSweeps, ABeamWhoseJointsCouldBreakStands) {
 
 // Once its boxes lie on each other, a column that has landed sticks everywhere, and its last
 // reactions show how to hold it. (They also do work on boxes that sink a little; taken for a blow
-// that acts again, they were dropped in every step, and a column with a heavy top shook with 0.2
-// m/s.)
+// that acts again, they were dropped in every step, and six boxes shook with 0.2 m/s.)
 TEST(FewSweeps, ShortColumnsThatHaveLandedAreHeldExactly) {
   constexpr double half = 0.3, fall = 0.01, pitch = 2 * half + fall;
   for (const int sweeps : {5, 10, 19})

@@ -264,7 +264,7 @@ TEST(Quarrels, PlatesBetweenPinsPressLittleWithFewSweeps) {
 }
 
 // Limbs on both sides of a thin wall, as of a figure that was thrown into it. Joints draw them into
-// the wall, until friction wedges them. (Some steps pressed with 1e10 N·s, and more.)
+// the wall, until friction wedges them. (Some steps pressed with up to 3e10 N·s, in float 3e8.)
 TEST(Quarrels, LimbsJoinedAcrossAThinWallPressWithinReason) {
   constexpr double thick = 0.1, radius = 0.1, length = 0.3, most = 1e6;  // N·s
   for (int seed = 0; seed < 8; ++seed) {
